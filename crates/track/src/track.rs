@@ -1,0 +1,106 @@
+//! The compiled track.
+
+use numerics::interval;
+
+/// Track properties at one chainage.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TrackPoint {
+    /// Curvature 1/R, positive for a right-hand curve, 1/m.
+    pub curvature: f64,
+    /// Change of the curvature along the track, 1/m².
+    pub curvature_slope: f64,
+    /// Heading ∫ curvature ds from the start of the track, rad.
+    pub heading: f64,
+    /// ∫ heading ds: lateral offset to the right in the small-angle plane, m.
+    pub heading_integral: f64,
+    /// Cant angle, positive when the right rail is the lower, rad.
+    pub cant_angle: f64,
+    /// Change of the cant angle along the track (twist), rad/m.
+    pub cant_angle_slope: f64,
+    /// Gradient dz/ds, positive uphill, m/m.
+    pub gradient: f64,
+    /// Height above the start of the track, m.
+    pub elevation: f64,
+}
+
+/// A piece of track in which curvature, cant and gradient are linear in the chainage;
+/// all values hold at its beginning.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    pub at: TrackPoint,
+    pub gradient_slope: f64,
+}
+
+/// Curvature, cant and gradient as functions of the chainage, in closed form piece by piece.
+///
+/// Before the first piece and after the last one the track goes on with the outermost values.
+#[derive(Clone, Debug)]
+pub struct Track {
+    /// Chainage at which each piece begins, m, rising.
+    pub(crate) begins: Vec<f64>,
+    pub(crate) pieces: Vec<Piece>,
+}
+
+impl Track {
+    /// Straight and level without end.
+    pub fn straight() -> Self {
+        let piece = Piece {
+            at: TrackPoint::default(),
+            gradient_slope: 0.0,
+        };
+        Self {
+            begins: vec![0.0],
+            pieces: vec![piece],
+        }
+    }
+
+    /// What holds at `chainage`; `index` is any number at first and the place of the last lookup
+    /// later, so that a lookup near the last one costs little.
+    pub fn at(&self, chainage: f64, index: &mut usize) -> TrackPoint {
+        if chainage < self.begins[0] {
+            return self.before_the_first(chainage);
+        }
+        *index = match self.begins.last() {
+            Some(&last) if chainage >= last => self.begins.len() - 1,
+            _ => interval(&self.begins, chainage, *index),
+        };
+        self.pieces[*index].at(chainage - self.begins[*index])
+    }
+
+    /// Extends the values at the beginning of the track backwards.
+    fn before_the_first(&self, chainage: f64) -> TrackPoint {
+        let at = TrackPoint {
+            curvature_slope: 0.0,
+            cant_angle_slope: 0.0,
+            ..self.pieces[0].at
+        };
+        Piece {
+            at,
+            gradient_slope: 0.0,
+        }
+        .at(chainage - self.begins[0])
+    }
+
+    /// Chainage at which the described part of the track begins, m.
+    pub fn begin(&self) -> f64 {
+        self.begins[0]
+    }
+}
+
+impl Piece {
+    /// What holds `distance` after the beginning of the piece: the integrals of linear functions.
+    pub(crate) fn at(&self, distance: f64) -> TrackPoint {
+        let Piece { at, gradient_slope } = *self;
+        let s = distance;
+        TrackPoint {
+            curvature: at.curvature + at.curvature_slope * s,
+            heading: at.heading + s * (at.curvature + at.curvature_slope * s / 2.0),
+            heading_integral: at.heading_integral
+                + s * (at.heading + s * (at.curvature / 2.0 + at.curvature_slope * s / 6.0)),
+            cant_angle: at.cant_angle + at.cant_angle_slope * s,
+            gradient: at.gradient + gradient_slope * s,
+            elevation: at.elevation + s * (at.gradient + gradient_slope * s / 2.0),
+            ..at
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! The longitudinal train model as an FMU.
+
+fmu::export!(longitudinal::Train);

@@ -1,0 +1,3 @@
+//! The rail-heat model as an FMU.
+
+fmu::export!(railheat::RailHeat);

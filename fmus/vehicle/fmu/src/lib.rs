@@ -1,0 +1,3 @@
+//! The vehicle model as an FMU.
+
+fmu::export!(vehicle::Vehicle);
