@@ -1,3 +1,55 @@
-//! Developer tasks.
+//! Developer tasks: `cargo xtask <task>`.
+//!
+//! | file | task |
+//! |---|---|
+//! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
+//! | `test.rs` | the whole test run |
+//! | `python.rs` | the Python environment of the FMPy tests |
+//! | `shell.rs` | running commands |
 
-fn main() {}
+mod fmus;
+mod python;
+mod shell;
+mod test;
+
+use anyhow::Result;
+use clap::{Parser, Subcommand};
+
+#[derive(Parser)]
+#[command(bin_name = "cargo xtask", about = "Developer tasks of Hotfoot")]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Build everything, run a scenario and write its report
+    Run {
+        /// Scenario folder or file, and further arguments of `hotfoot run`
+        #[arg(required = true, trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
+    /// Build and pack the FMUs into target/fmus
+    Fmus,
+    /// Write the published model descriptions anew
+    ModelDescriptions,
+    /// The whole test run
+    Test,
+}
+
+fn main() -> Result<()> {
+    shell::go_to_workspace()?;
+    match Arguments::parse().task {
+        Task::Run { arguments } => {
+            fmus::build()?;
+            shell::run(shell::hotfoot().arg("run").args(arguments))
+        }
+        Task::Fmus => fmus::build(),
+        Task::ModelDescriptions => {
+            fmus::build()?;
+            fmus::write_model_descriptions()
+        }
+        Task::Test => test::run_all(),
+    }
+}

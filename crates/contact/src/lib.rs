@@ -1,1 +1,38 @@
-//! To be written.
+//! Contact of one wheel with one rail: where they touch, how hard, and what friction does.
+//!
+//! | part | what it answers | source |
+//! |---|---|---|
+//! | [`WheelProfile`], [`RailProfile`] | the shape of wheel and rail | EN 13715, EN 13674-1 |
+//! | [`GeometryTable`] | where a wheel touches at a lateral shift, made once for a [`ProfilePair`] | quasi-elastic search |
+//! | [`wheelset_geometry`] | both wheels of a rolled wheelset at once, for validation | rigid wheelset |
+//! | [`hertz`] | size and stiffness of the contact ellipse | Hertz, exact |
+//! | [`kalker`] | creep coefficients | Kalker 1990 |
+//! | [`Polach`] | creep forces and friction power | Polach 1999, 2005 |
+//!
+//! One wheel is seen in the plane across the track. `lateral` is positive towards the field side
+//! (away from the track's middle) on wheel and rail alike, heights are positive downwards. So the
+//! same table serves the left and the right wheel, and a mirrored pair of wheels gives mirrored
+//! numbers bit by bit.
+//!
+//! A step needs only [`GeometryTable::at`], [`ContactPoint::patch`] and [`Polach::force`]; none of
+//! them allocates, locks or fails.
+
+mod creep;
+mod error;
+mod geometry;
+pub mod hertz;
+pub mod kalker;
+mod material;
+mod profile;
+
+pub use creep::friction::FallingFriction;
+pub use creep::polach::Polach;
+pub use creep::{CreepForces, Creepages, REFERENCE_SPEED_MIN, SlipVelocity};
+pub use error::ContactError;
+pub use geometry::contact_point::{ContactPatch, ContactPoint};
+pub use geometry::pair::ProfilePair;
+pub use geometry::table::GeometryTable;
+pub use geometry::wheelset::{WheelContact, WheelsetGeometry, wheelset_geometry};
+pub use material::{Material, STEEL};
+pub use profile::cone::Cone;
+pub use profile::{ProfilePoint, RailProfile, WheelProfile};

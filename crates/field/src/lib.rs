@@ -1,1 +1,37 @@
-//! To be written.
+//! Writes and reads the rail's temperature field.
+//!
+//! The field is the temperature **rise** above the initial state in K, stored as f32 with the
+//! dimensions (time, chainage, depth) in a Zarr version 3 group. A store looks like this:
+//!
+//! ```text
+//! rail.zarr/
+//!   zarr.json            attributes: Conventions, title, what the writer's caller adds
+//!   temperature_rise/    f32 (time, chainage, depth), one shard a snapshot, zstd
+//!   time/                f64 (time), s
+//!   chainage/            f64 (chainage), m, middle of each element
+//!   depth/               f64 (depth), m, middle of each cell below the running surface
+//! ```
+//!
+//! A snapshot is readable as soon as [`FieldWriter::append`] has returned: its values are on disk
+//! before the arrays' shapes grow, and a shape grows by a rename. A run that is killed leaves all
+//! snapshots that were appended.
+//!
+//! | file | part |
+//! |---|---|
+//! | `axes.rs` | the coordinates, and attributes of the group |
+//! | `layout.rs` | names, chunks and codecs of the store |
+//! | `writer.rs` | appends snapshots |
+//! | `reader.rs` | reads snapshots |
+//!
+//! No other crate knows Zarr.
+
+mod axes;
+mod error;
+mod layout;
+mod reader;
+mod writer;
+
+pub use axes::{Attribute, Axes};
+pub use error::FieldError;
+pub use reader::{FieldReader, Snapshot};
+pub use writer::FieldWriter;

@@ -24,18 +24,31 @@ pub struct Identity {
 /// Why a model cannot go on, in a sentence for the user: which file, key or variable, its value,
 /// and what would be right. The FMU answers `fmi2Error` and logs it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{0}")]
-pub struct ModelError(String);
+#[error("{sentence}")]
+pub struct ModelError {
+    sentence: String,
+    step_too_long: bool,
+}
 
 impl ModelError {
     /// An error with the sentence that the user reads.
     pub fn new(sentence: impl Into<String>) -> Self {
-        Self(sentence.into())
+        Self { sentence: sentence.into(), step_too_long: false }
+    }
+
+    /// A step that a model cannot do in one go, while it could do a shorter one: the FMU answers
+    /// `fmi2Discard`. The model and its outputs must be as they were before the step.
+    pub fn step_too_long(sentence: impl Into<String>) -> Self {
+        Self { sentence: sentence.into(), step_too_long: true }
     }
 
     /// Wraps an error of the physics, with its message as the sentence.
     pub fn from_error(error: impl std::error::Error) -> Self {
-        Self(error.to_string())
+        Self::new(error.to_string())
+    }
+
+    pub(crate) fn is_step_too_long(&self) -> bool {
+        self.step_too_long
     }
 }
 
@@ -84,7 +97,9 @@ impl Log {
 ///
 /// The order of calls is: [`declare`](Self::declare) at `fmi2Instantiate`,
 /// [`initialize`](Self::initialize) in initialization mode as often as start values have changed
-/// since, then [`step`](Self::step) again and again. A model is never asked for an output: it
+/// since, then [`step`](Self::step) again and again. When a saved state goes into an instance
+/// whose model was built from other start values, the model is built anew from those of the
+/// state before [`restore`](Self::restore). A model is never asked for an output: it
 /// writes all outputs into `values` when it is initialised and at the end of each step.
 pub trait Model: Send + Sized + 'static {
     /// Who the model is.

@@ -1,9 +1,11 @@
 //! Units of variables, as `UnitDefinitions` of a model description states them (§2.2.2).
 
+use serde::Serialize;
+
 /// A unit: its symbol and its exponents of the SI base units.
 ///
 /// A value in SI base units is `factor · value + offset`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Unit {
     /// Symbol as it stands in the attribute `unit`, such as `"m/s"`.
     pub symbol: &'static str,
@@ -24,16 +26,7 @@ pub struct Unit {
 }
 
 const fn si(symbol: &'static str, kg: i8, m: i8, s: i8, kelvin: i8, rad: i8) -> Unit {
-    Unit {
-        symbol,
-        kg,
-        m,
-        s,
-        kelvin,
-        rad,
-        factor: 1.0,
-        offset: 0.0,
-    }
+    Unit { symbol, kg, m, s, kelvin, rad, factor: 1.0, offset: 0.0 }
 }
 
 /// A ratio without unit.

@@ -36,12 +36,41 @@ macro_rules! handles {
 ///
 /// Getters and setters of the C interface copy from and to these arrays; a model reads and
 /// writes them by the handles its declaration gave: `values[signals.position] = x`.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Values {
     pub(crate) reals: Vec<f64>,
     pub(crate) integers: Vec<i32>,
     pub(crate) booleans: Vec<bool>,
     pub(crate) texts: Vec<String>,
+}
+
+impl Values {
+    /// Whether there are as many values of each type.
+    pub(crate) fn has_shape_of(&self, other: &Self) -> bool {
+        self.reals.len() == other.reals.len()
+            && self.integers.len() == other.integers.len()
+            && self.booleans.len() == other.booleans.len()
+            && self.texts.len() == other.texts.len()
+    }
+}
+
+impl Clone for Values {
+    fn clone(&self) -> Self {
+        Self {
+            reals: self.reals.clone(),
+            integers: self.integers.clone(),
+            booleans: self.booleans.clone(),
+            texts: self.texts.clone(),
+        }
+    }
+
+    /// Keeps the memory of the arrays, so that saving a state again and again allocates nothing.
+    fn clone_from(&mut self, source: &Self) {
+        self.reals.clone_from(&source.reals);
+        self.integers.clone_from(&source.integers);
+        self.booleans.clone_from(&source.booleans);
+        self.texts.clone_from(&source.texts);
+    }
 }
 
 handles! {

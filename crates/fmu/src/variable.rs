@@ -1,11 +1,13 @@
 //! The declaration of a model's variables: one place for names, units, value references,
 //! start values and everything else that `ModelVariables` (§2.2.7) states.
 
+use serde::Serialize;
+
 use crate::unit::Unit;
 use crate::values::{Boolean, Integer, Real, Text, Values};
 
 /// What a variable is for (§2.2.7, `causality`).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Causality {
     /// Constant while the instance runs; set before the initialisation ends.
     Parameter,
@@ -16,7 +18,7 @@ pub enum Causality {
 }
 
 /// When a variable may change (§2.2.7, `variability`).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Variability {
     /// After the initialisation never.
     Fixed,
@@ -29,7 +31,7 @@ pub enum Variability {
 }
 
 /// Where the initial value comes from (§2.2.7, `initial`).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Initial {
     /// From the attribute `start`.
     Exact,
@@ -38,7 +40,7 @@ pub enum Initial {
 }
 
 /// Type of a variable with its start value and what else belongs to the type.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub enum Kind {
     /// A real number.
     Real {
@@ -89,18 +91,6 @@ pub struct Variable {
     pub initial: Option<Initial>,
     /// Type, start value, unit, bounds.
     pub kind: Kind,
-}
-
-impl Variable {
-    /// Whether the environment may set the variable while the instance is stepped (§4.2.4).
-    pub fn settable_between_steps(&self) -> bool {
-        self.causality == Causality::Input || self.variability == Variability::Tunable
-    }
-
-    /// Whether the environment may set the variable at all.
-    pub fn settable(&self) -> bool {
-        self.causality != Causality::Output
-    }
 }
 
 /// All variables of a model in the order in which they are declared.
@@ -160,12 +150,7 @@ impl Declaration {
     ) -> Text {
         let start = start.into();
         let reference = push(&mut self.start.texts, start.clone());
-        self.parameter(
-            name.into(),
-            description.into(),
-            reference,
-            Kind::Text { start },
-        );
+        self.parameter(name.into(), description.into(), reference, Kind::Text { start });
         Text(reference)
     }
 
@@ -178,11 +163,7 @@ impl Declaration {
         bounds: (i32, i32),
     ) -> Integer {
         let reference = push(&mut self.start.integers, start);
-        let kind = Kind::Integer {
-            start,
-            min: Some(bounds.0),
-            max: Some(bounds.1),
-        };
+        let kind = Kind::Integer { start, min: Some(bounds.0), max: Some(bounds.1) };
         self.parameter(name.into(), description.into(), reference, kind);
         Integer(reference)
     }
@@ -195,12 +176,7 @@ impl Declaration {
         start: bool,
     ) -> Boolean {
         let reference = push(&mut self.start.booleans, start);
-        self.parameter(
-            name.into(),
-            description.into(),
-            reference,
-            Kind::Boolean { start },
-        );
+        self.parameter(name.into(), description.into(), reference, Kind::Boolean { start });
         Boolean(reference)
     }
 
@@ -255,22 +231,12 @@ impl RealDeclaration<'_> {
 
     /// A parameter that is fixed once the initialisation has ended.
     pub fn parameter(self, start: f64) -> Real {
-        self.declare(
-            start,
-            Causality::Parameter,
-            Variability::Fixed,
-            Some(Initial::Exact),
-        )
+        self.declare(start, Causality::Parameter, Variability::Fixed, Some(Initial::Exact))
     }
 
     /// A parameter that may change between steps.
     pub fn tunable(self, start: f64) -> Real {
-        self.declare(
-            start,
-            Causality::Parameter,
-            Variability::Tunable,
-            Some(Initial::Exact),
-        )
+        self.declare(start, Causality::Parameter, Variability::Tunable, Some(Initial::Exact))
     }
 
     fn declare(
@@ -288,12 +254,7 @@ impl RealDeclaration<'_> {
             causality,
             variability,
             initial,
-            kind: Kind::Real {
-                unit: self.unit,
-                start,
-                min: self.min,
-                max: self.max,
-            },
+            kind: Kind::Real { unit: self.unit, start, min: self.min, max: self.max },
         });
         Real(reference)
     }

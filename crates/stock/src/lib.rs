@@ -1,1 +1,36 @@
-//! To be written.
+//! Rolling-stock files: what people write about vehicles, draft gears and trains.
+//!
+//! A [`Library`] is a folder with one file a vehicle type in `vehicles/` and one file a draft gear
+//! in `draft_gears/`. A vehicle file holds the longitudinal and the multibody data of its type, so
+//! that masses and lengths cannot disagree between the models. Numbers keep the units of the
+//! file, which stand at the end of each key; the models convert them once.
+//!
+//! | file | part |
+//! |---|---|
+//! | `library.rs` | the folder of files; a vehicle that extends another |
+//! | `vehicle.rs` | the vehicle file |
+//! | `propulsion.rs` | its sections on traction and dynamic brake |
+//! | `multibody.rs` | its section for the three-dimensional model; `multibody_check.rs` checks it |
+//! | `draft_gear.rs` | the draft-gear file |
+//! | `consist.rs` | the consist file: the vehicles of a train in order |
+//! | `check.rs` | what a value must be, and the error that says so |
+
+mod check;
+mod consist;
+mod draft_gear;
+mod library;
+mod multibody;
+mod multibody_check;
+mod propulsion;
+mod vehicle;
+
+pub use check::{Check, StockError};
+pub use consist::Consist;
+pub use draft_gear::{DraftGear, ForceCurve};
+pub use library::{Library, read_toml};
+pub use multibody::{
+    Body, CouplerAttachment, CreepLaw, Damper, Direction, Multibody, Spring, Stop,
+    WheelRailContact, Wheelset,
+};
+pub use propulsion::{DynamicBrake, EffortBySpeed, Traction, ValueBySpeed};
+pub use vehicle::{Brake, Coupler, Resistance, Vehicle};

@@ -152,7 +152,7 @@ impl TrackFile {
                               leave it out for straight track";
                 return fail(key("radius_m"), radius, wanted);
             }
-            if !(element.cant_mm.abs() <= 300.0) {
+            if !(-300.0..=300.0).contains(&element.cant_mm) {
                 return fail(
                     key("cant_mm"),
                     element.cant_mm,
@@ -171,7 +171,7 @@ impl TrackFile {
         }
         for (i, point) in self.gradient.iter().enumerate() {
             let key = |name: &str| format!("gradient[{}].{name}", i + 1);
-            if !(point.permille.abs() <= 100.0) {
+            if !(-100.0..=100.0).contains(&point.permille) {
                 return fail(
                     key("permille"),
                     point.permille,
@@ -222,9 +222,10 @@ impl TrackFile {
                 cant_angle,
                 cant_angle_slope,
                 gradient,
+                gradient_slope,
                 ..before
             };
-            pieces.push(Piece { at, gradient_slope });
+            pieces.push(Piece { at });
         }
         Track { begins, pieces }
     }
@@ -298,6 +299,7 @@ mod tests {
         assert!((at(&track, 350.0).heading - 25.0 / 800.0).abs() < 1e-15);
         assert!((at(&track, 2000.0).heading - 650.0 / 800.0).abs() < 1e-12);
         assert_eq!(at(&track, 1001.0).curvature, 0.0);
+        assert_eq!(track.curves(), [[300.0, 1000.0]]);
         assert!((at(&track, 500.0).cant_angle - 0.05_f64.asin()).abs() < 1e-15);
     }
 

@@ -19,6 +19,8 @@ pub struct TrackPoint {
     pub cant_angle_slope: f64,
     /// Gradient dz/ds, positive uphill, m/m.
     pub gradient: f64,
+    /// Change of the gradient along the track (vertical curvature), 1/m.
+    pub gradient_slope: f64,
     /// Height above the start of the track, m.
     pub elevation: f64,
 }
@@ -28,7 +30,6 @@ pub struct TrackPoint {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
     pub at: TrackPoint,
-    pub gradient_slope: f64,
 }
 
 /// Curvature, cant and gradient as functions of the chainage, in closed form piece by piece.
@@ -46,7 +47,6 @@ impl Track {
     pub fn straight() -> Self {
         let piece = Piece {
             at: TrackPoint::default(),
-            gradient_slope: 0.0,
         };
         Self {
             begins: vec![0.0],
@@ -72,25 +72,32 @@ impl Track {
         let at = TrackPoint {
             curvature_slope: 0.0,
             cant_angle_slope: 0.0,
+            gradient_slope: 0.0,
             ..self.pieces[0].at
         };
-        Piece {
-            at,
-            gradient_slope: 0.0,
-        }
-        .at(chainage - self.begins[0])
+        Piece { at }.at(chainage - self.begins[0])
     }
 
-    /// Chainage at which the described part of the track begins, m.
-    pub fn begin(&self) -> f64 {
-        self.begins[0]
+    /// Chainages at which curves begin and end, transitions included, m. A curve that goes on
+    /// without end is left out.
+    pub fn curves(&self) -> Vec<[f64; 2]> {
+        let curved = |piece: &Piece| piece.at.curvature != 0.0 || piece.at.curvature_slope != 0.0;
+        let mut curves: Vec<[f64; 2]> = vec![];
+        for (ends, piece) in self.begins.windows(2).zip(&self.pieces) {
+            match curves.last_mut() {
+                _ if !curved(piece) => {}
+                Some(curve) if curve[1] == ends[0] => curve[1] = ends[1],
+                _ => curves.push([ends[0], ends[1]]),
+            }
+        }
+        curves
     }
 }
 
 impl Piece {
     /// What holds `distance` after the beginning of the piece: the integrals of linear functions.
     pub(crate) fn at(&self, distance: f64) -> TrackPoint {
-        let Piece { at, gradient_slope } = *self;
+        let Piece { at } = *self;
         let s = distance;
         TrackPoint {
             curvature: at.curvature + at.curvature_slope * s,
@@ -98,8 +105,8 @@ impl Piece {
             heading_integral: at.heading_integral
                 + s * (at.heading + s * (at.curvature / 2.0 + at.curvature_slope * s / 6.0)),
             cant_angle: at.cant_angle + at.cant_angle_slope * s,
-            gradient: at.gradient + gradient_slope * s,
-            elevation: at.elevation + s * (at.gradient + gradient_slope * s / 2.0),
+            gradient: at.gradient + at.gradient_slope * s,
+            elevation: at.elevation + s * (at.gradient + at.gradient_slope * s / 2.0),
             ..at
         }
     }

@@ -1,1 +1,48 @@
-//! To be written.
+//! Longitudinal dynamics of a train: one mass a vehicle, joined by draft gears with slack.
+//!
+//! The equations stand, numbered, in `docs/theory/longitudinal.md`; the code cites them. The train
+//! is rigid across the track and moves in the chainage only: curves act by their resistance.
+//!
+//! | file | part |
+//! |---|---|
+//! | `draft_gear.rs` | force of a friction gear over its deflection; two gears in series |
+//! | `connection.rs` | two gears with slack between two vehicles, with hysteresis |
+//! | `resistance.rs`, `curve_resistance.rs`, `gravity.rs` | what the line does to a vehicle |
+//! | `lever.rs`, `traction.rs`, `dynamic_brake.rs` | what a locomotive does |
+//! | `brake.rs` | the electronically controlled friction brake |
+//! | `driver.rs` | the schedule of notches and brakes, and the file it comes from |
+//! | `vehicle.rs` | one mass with all that acts on it |
+//! | `train.rs` | the train: vehicles, connections, track |
+//! | `start.rs` | the state at the beginning, in balance or unstressed |
+//! | `integrate.rs` | the step |
+//! | `energy.rs` | work of each kind and the energy audit |
+//! | `totals.rs` | sums and extremes over the train |
+//! | `signals.rs` | the variables of the FMU |
+//! | `interface.rs` | the way from them to the physics and back |
+
+pub mod brake;
+pub mod connection;
+pub mod curve_resistance;
+pub mod draft_gear;
+pub mod driver;
+pub mod dynamic_brake;
+mod energy;
+pub mod gravity;
+mod integrate;
+mod interface;
+pub mod lever;
+pub mod resistance;
+mod signals;
+mod start;
+mod totals;
+pub mod traction;
+mod train;
+mod vehicle;
+
+pub use energy::{Energy, Work};
+pub use interface::{State, Train};
+pub use signals::{Signals, VehicleSignals};
+pub use start::{Couplers, Start};
+pub use totals::Totals;
+pub use train::{BuildError, TrainDynamics, TrainState};
+pub use vehicle::{Forces, Vehicle, VehicleState};

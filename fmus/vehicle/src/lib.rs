@@ -1,1 +1,40 @@
-//! To be written.
+//! One railway vehicle in three dimensions: rigid bodies on springs and dampers, and the contact
+//! of every wheel with its rail.
+//!
+//! | file | part |
+//! |---|---|
+//! | `structure.rs` | a vehicle file compiled into flat arrays |
+//! | `frame.rs` | the frames that follow the track |
+//! | `body.rs` | a rigid body in its frame, with the frame's inertia forces |
+//! | `suspension/` | springs, dampers, stops |
+//! | `wheel.rs` | a wheel on its rail: approach, normal force, slip |
+//! | `wheelset.rs` | a wheelset's step with its contact forces |
+//! | `drive.rs` | traction and brake of a wheelset |
+//! | `dynamics.rs` | the vehicle in motion: state and step |
+//! | `equilibrium.rs` | the start in equilibrium |
+//! | `statics.rs`, `linear.rs` | static load of the springs; the vehicle linearised |
+//! | `energy.rs`, `inputs.rs`, `six.rs` | energy account; forces from outside; algebra |
+//! | `signals.rs`, `interface.rs` | the model as an FMU |
+//!
+//! Equations are numbered in `docs/theory/vehicle.md`. Axes: x along the track in the running
+//! direction, y to the right, z down; SI units.
+
+pub mod body;
+pub mod drive;
+pub mod dynamics;
+pub mod energy;
+pub mod equilibrium;
+pub mod frame;
+pub mod inputs;
+mod interface;
+pub mod linear;
+mod signals;
+pub mod six;
+mod statics;
+pub mod structure;
+pub mod suspension;
+pub mod wheel;
+pub mod wheelset;
+
+pub use interface::{LONGEST_STEP, Vehicle};
+pub use signals::Signals;

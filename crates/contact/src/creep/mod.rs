@@ -1,0 +1,76 @@
+//! Friction between a rolling wheel and the rail.
+//!
+//! Axes: x along the track, y to the right, z down. Creepage is (wheel - rail)/speed, so positive
+//! longitudinal creepage is traction. All forces act on the **wheel**, opposed to its slip; the force
+//! on the rail, which drives the train, is the opposite.
+
+pub(crate) mod friction;
+pub(crate) mod polach;
+
+/// Least reference speed in m/s that slip velocities are divided by.
+///
+/// Creepage loses its meaning at standstill. Below this speed the wheel creeps as if it rolled at it:
+/// a stiff viscous force, still bounded by friction, that holds a standing wheel to about
+/// 0.1 m/s times the creepage it needs.
+pub const REFERENCE_SPEED_MIN: f64 = 0.1;
+
+/// Velocity of the wheel relative to the rail at the contact, in the contact's plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SlipVelocity {
+    /// Along the track in m/s.
+    pub longitudinal: f64,
+    /// Across in m/s, positive to the right (along the contact plane).
+    pub lateral: f64,
+    /// Relative rotation about the contact normal in rad/s, positive about z down.
+    pub spin: f64,
+}
+
+impl SlipVelocity {
+    /// Creepages at a rolling `speed` in m/s, whose magnitude counts as [`REFERENCE_SPEED_MIN`] at
+    /// least.
+    pub fn creepages(&self, speed: f64) -> Creepages {
+        let reference = reference_speed(speed);
+        Creepages {
+            longitudinal: self.longitudinal / reference,
+            lateral: self.lateral / reference,
+            spin: self.spin / reference,
+        }
+    }
+}
+
+/// Slip velocities divided by the speed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Creepages {
+    /// Longitudinal, positive in traction.
+    pub longitudinal: f64,
+    /// Lateral, positive to the right.
+    pub lateral: f64,
+    /// Spin in 1/m, positive about z down.
+    pub spin: f64,
+}
+
+/// What creep does to the wheel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CreepForces {
+    /// Force on the wheel along the track, in N: `-damping * slip.longitudinal`.
+    pub longitudinal: f64,
+    /// Force on the wheel across, in N: `-damping * slip.lateral + spin_force`.
+    pub lateral: f64,
+    /// Moment on the wheel about the contact normal, in N m, positive about z down.
+    pub spin_moment: f64,
+    /// Power turned into heat, in W, never negative.
+    pub friction_power: f64,
+    /// Force by slip velocity, in N s/m, never negative: the secant of the creep curve.
+    ///
+    /// The curve is concave, so the secant is at least the tangent. An integrator that takes
+    /// `-damping * slip` at the end of its step, with `damping` from the beginning, is stable at any
+    /// speed, also where friction falls with slip.
+    pub damping: f64,
+    /// The part of the lateral force that spin causes, in N; it needs no implicit treatment.
+    pub spin_force: f64,
+}
+
+/// The magnitude of `speed`, at least [`REFERENCE_SPEED_MIN`].
+pub(crate) fn reference_speed(speed: f64) -> f64 {
+    speed.abs().max(REFERENCE_SPEED_MIN)
+}

@@ -1,0 +1,17 @@
+//! Where wheel and rail touch.
+//!
+//! | file | part |
+//! |---|---|
+//! | `pair.rs` | the dimensions of a wheel over a rail |
+//! | `search.rs` | the quasi-elastic search for the contact at one placement |
+//! | `contact_point.rs` | what is known at a contact |
+//! | `table.rs` | contacts over the lateral shift, interpolated |
+//! | `shared.rs` | one table for each pair in a process |
+//! | `wheelset.rs` | both wheels of a rolled wheelset, for validation |
+
+pub(crate) mod contact_point;
+pub(crate) mod pair;
+mod search;
+mod shared;
+pub(crate) mod table;
+pub(crate) mod wheelset;

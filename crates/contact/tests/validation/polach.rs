@@ -1,0 +1,208 @@
+//! Polach's creep law against published curves.
+
+use crate::{near, pair};
+use contact::kalker::CreepCoefficients;
+use contact::{ContactPatch, FallingFriction, GeometryTable, Polach, STEEL, SlipVelocity};
+use std::f64::consts::PI;
+
+/// Siemens Eurosprinter 127 001 in CONTACT's examples: 106.7 kN, a 6.304 mm, b 12.61 mm, 10 m/s.
+fn eurosprinter() -> ContactPatch {
+    ContactPatch {
+        normal_force: 106_700.0,
+        a: 6.304e-3,
+        b: 12.61e-3,
+        kalker: CreepCoefficients::new(0.5, STEEL.poisson_ratio),
+    }
+}
+
+fn polach(adhesion: f64, slip: f64, mu0: f64, limit_ratio: f64, decay: f64) -> Polach {
+    Polach {
+        adhesion_factor: adhesion,
+        slip_factor: slip,
+        friction: FallingFriction { static_coefficient: mu0, limit_ratio, decay },
+    }
+}
+
+/// Longitudinal creep only, at 10 m/s.
+fn longitudinal(creepage: f64) -> SlipVelocity {
+    SlipVelocity { longitudinal: 10.0 * creepage, ..SlipVelocity::default() }
+}
+
+/// 29 points with a root mean square error of less than 1.95 %.
+const STATED_SUM_OF_SQUARES: f64 = 29.0 * 0.0195 * 0.0195;
+
+/// Sum of the squared relative errors in force of the rows (creepage, force in N).
+fn sum_of_squares(law: &Polach, rows: &[(f64, f64)]) -> f64 {
+    rows.iter()
+        .map(|(xi, expected)| {
+            let force = -law.force(&eurosprinter(), &longitudinal(*xi), 10.0).longitudinal;
+            (force / expected - 1.0).powi(2)
+        })
+        .sum()
+}
+
+/// Formula value at eps = 1, 50 kN, mu 0.3, kA 1, kS 0.4: 8408 N (reference 4.6); half a newton.
+#[test]
+fn benchmark_polach_at_eps_one() {
+    let patch = ContactPatch { normal_force: 50e3, ..eurosprinter() };
+    let law = polach(1.0, 0.4, 0.3, 1.0, 0.0);
+    let stiffness = 0.25 * STEEL.shear_modulus * PI * patch.a * patch.b * patch.kalker.c11;
+    let creepage = 0.3 * 50e3 / stiffness;
+    let force = law.force(&patch, &longitudinal(creepage), 10.0).longitudinal;
+    near("force in N", force, -8408.0, 0.5);
+}
+
+/// Modified FASTSIM with falling friction as in CONTACT (reference 4.7, series 4, every second row),
+/// and Polach with the parameters fitted there: 1.9 % rms stated over the 29 points 2 to 30. The 15
+/// rows here are among them, so their sum of squares cannot exceed that of all, 29 x (1.95 %)^2.
+#[test]
+fn benchmark_polach_eurosprinter_modified_fastsim() {
+    let rows = [
+        (0.001, 10450.0),
+        (0.003, 21040.0),
+        (0.005, 25960.0),
+        (0.007, 28580.0),
+        (0.01, 30650.0),
+        (0.014, 31880.0),
+        (0.018, 32340.0),
+        (0.022, 32460.0),
+        (0.03, 32230.0),
+        (0.04, 31560.0),
+        (0.065, 29400.0),
+        (0.1, 26400.0),
+        (0.15, 22930.0),
+        (0.2, 20470.0),
+        (0.25, 18740.0),
+    ];
+    let error = sum_of_squares(&polach(0.56, 0.29, 0.36, 0.38, 0.7), &rows);
+    assert!(error < STATED_SUM_OF_SQUARES, "{error}");
+}
+
+/// CONTACT with a third-body layer and falling friction (reference 4.7, series 2); 1.9 % rms
+/// stated, bound as above.
+#[test]
+fn benchmark_polach_eurosprinter_contact() {
+    let rows = [
+        (0.001, 6425.0),
+        (0.003, 17350.0),
+        (0.005, 24750.0),
+        (0.007, 29110.0),
+        (0.009, 31440.0),
+        (0.011, 32570.0),
+        (0.013, 33080.0),
+        (0.015, 33240.0),
+        (0.018, 33200.0),
+        (0.03, 32170.0),
+        (0.05, 30360.0),
+        (0.1, 26620.0),
+        (0.15, 23790.0),
+        (0.2, 21640.0),
+        (0.25, 20020.0),
+    ];
+    let error = sum_of_squares(&polach(0.26, 0.26, 0.33, 0.4242, 0.5545), &rows);
+    assert!(error < STATED_SUM_OF_SQUARES, "{error}");
+}
+
+/// CONTACT with Coulomb friction (reference 4.7, series 1) against kA = kS = 1: the stated band of
+/// -6.2 to +4.0 %, widened by half of its last digit.
+#[test]
+fn benchmark_polach_eurosprinter_coulomb() {
+    let law = polach(1.0, 1.0, 0.33, 1.0, 0.0);
+    for (xi, expected) in [
+        (0.0004, 9112.0),
+        (0.0012, 22820.0),
+        (0.002, 31040.0),
+        (0.0028, 34620.0),
+        (0.0036, 35180.0),
+        (0.006, 35200.0),
+        (0.03, 35210.0),
+        (0.25, 35210.0),
+    ] {
+        let force = law.force(&eurosprinter(), &longitudinal(xi), 10.0);
+        let error = -force.longitudinal / expected - 1.0;
+        assert!((-0.0625..0.0405).contains(&error), "{error} at {xi}");
+        // With longitudinal creep only, the power is force times slip.
+        let power = -force.longitudinal * 10.0 * xi;
+        near("friction power in W", force.friction_power, power, 1e-9 * power);
+    }
+}
+
+/// Forces and friction power that CONTACT prints for case A-2.2 (reference 2.3): lateral, longitudinal
+/// and spin creep together, mu 0.3, 2 m/s. CONTACT's creepages are rail minus wheel and its forces act
+/// on the rail, so both change sign here.
+///
+/// Tolerance: 8 % of mu N in each force and 12 % in power. Polach is within 6 % of CONTACT for pure
+/// longitudinal creep (above); his treatment of spin adds as much: found -1 to +1 % in power on the
+/// left wheels and -7 to -11 % on the right ones, whose spin is five times larger. The right wheel at 1 mm (spin 0.15
+/// per m at small creep) and the flange are left out: there the law takes off 18 to 25 % of the power.
+#[test]
+fn benchmark_polach_manchester_forces() {
+    let table = GeometryTable::shared(&pair("S1002", "UIC60-manchester")).unwrap();
+    let law = polach(1.0, 1.0, 0.3, 1.0, 0.0);
+    for [shift, xi, eta, spin, load, fx, fy, power] in [
+        [-1.02e-3, -0.0006297, 0.0024, -0.03848, 10050.0, 829.2, -2893.0, 14.45],
+        [-2.05e-3, -0.0008651, 0.004798, -0.02947, 10040.0, 546.3, -2961.0, 28.86],
+        [-3.08e-3, -0.001103, 0.007197, -0.02432, 10030.0, 460.5, -2974.0, 43.31],
+        [-4.12e-3, -0.001399, 0.009594, -0.02138, 10030.0, 436.6, -2977.0, 57.81],
+        [2.05e-3, 0.0008752, 0.004818, 0.1746, 9799.0, -517.3, -2893.0, 28.39],
+        [3.08e-3, 0.001052, 0.007235, 0.1998, 9774.0, -417.5, -2902.0, 42.48],
+        [4.12e-3, 0.001276, 0.009662, 0.2330, 9745.0, -379.6, -2898.0, 56.61],
+    ] {
+        let slip = SlipVelocity { longitudinal: -2.0 * xi, lateral: -2.0 * eta, spin: -2.0 * spin };
+        let force = law.force(&table.at(shift).patch(load), &slip, 2.0);
+        let case = |what: &str| format!("{what} at a shift of {shift} m");
+        near(&case("Fx"), -force.longitudinal, fx, 0.08 * 0.3 * load);
+        near(&case("Fy"), -force.lateral, fy, 0.08 * 0.3 * load);
+        near(&case("power"), force.friction_power, power, 0.12 * power);
+    }
+}
+
+/// Spin alone pushes as in CONTACT's row 0 (reference 2.3): on the right wheel 253.6 N to the right.
+/// Tolerance 15 %: CONTACT finds a patch of two lobes there, the law has an ellipse.
+#[test]
+fn benchmark_polach_spin_force() {
+    let table = GeometryTable::shared(&pair("S1002", "UIC60-manchester")).unwrap();
+    let law = polach(1.0, 1.0, 0.3, 1.0, 0.0);
+    let slip = SlipVelocity { longitudinal: 0.0, lateral: 0.0, spin: -2.0 * 0.06302 };
+    let force = law.force(&table.at(0.0).patch(9997.0), &slip, 2.0);
+    near("lateral force in N", force.lateral, 253.6, 0.15 * 253.6);
+}
+
+/// Small creepages give Kalker's linear forces, with spin where it is small against them. The part of
+/// the spin in s_C and the curve itself are of second order: 0.1 % at creepages of 1e-7.
+#[test]
+fn analytic_polach_starts_with_kalker() {
+    let patch = eurosprinter();
+    let (area, k) = (patch.a * patch.b, patch.kalker);
+    let law = polach(1.0, 1.0, 0.3, 1.0, 0.0);
+    let force = |xi: f64, eta: f64, phi: f64| {
+        let slip = SlipVelocity { longitudinal: 10.0 * xi, lateral: 10.0 * eta, spin: 10.0 * phi };
+        law.force(&patch, &slip, 10.0)
+    };
+    let g = STEEL.shear_modulus;
+    let (xi, spin) = (1e-7, 1e-7 / 6.304e-3);
+    near("C11", force(xi, 0.0, 0.0).longitudinal / (-g * area * k.c11 * xi), 1.0, 1e-3);
+    near("C22", force(0.0, xi, 0.0).lateral / (-g * area * k.c22 * xi), 1.0, 1e-3);
+    let by_spin = -g * area.powf(1.5) * k.c23;
+    near("C23", force(0.0, 0.0, spin).lateral / (by_spin * spin), 1.0, 1e-3);
+    near("C23 in moment", force(0.0, xi, 0.0).spin_moment / (-by_spin * xi), 1.0, 1e-3);
+    let moment = -g * area * area * k.c33 * spin;
+    near("C33", force(0.0, 0.0, spin).spin_moment / moment, 1.0, 1e-3);
+}
+
+/// At w = ln 2/B friction has fallen by half of what it can: 0.7 when A = 0.4 (reference 4.6).
+#[test]
+fn analytic_falling_friction() {
+    let friction = Polach::DRY.friction;
+    let half = std::f64::consts::LN_2 / friction.decay;
+    near("mu", friction.coefficient(half) / friction.static_coefficient, 0.7, 1e-15);
+    assert_eq!(friction.coefficient(0.0), friction.static_coefficient);
+    assert_eq!(FallingFriction::constant(0.3).coefficient(5.0), 0.3);
+}
+
+/// The published sets (Polach 2005, table 2).
+#[test]
+fn benchmark_polach_parameter_sets() {
+    assert_eq!(Polach::DRY, polach(1.0, 0.4, 0.55, 0.4, 0.6));
+    assert_eq!(Polach::WET, polach(0.3, 0.1, 0.3, 0.4, 0.2));
+}

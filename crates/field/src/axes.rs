@@ -1,0 +1,49 @@
+//! Coordinates and attributes of a field.
+
+use serde_json::Value;
+
+/// Where the values of a snapshot lie.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axes {
+    /// Chainage of the middle of each element, m.
+    pub chainage: Vec<f64>,
+    /// Depth of the middle of each cell below the running surface, m.
+    pub depth: Vec<f64>,
+}
+
+impl Axes {
+    /// Number of values of one snapshot.
+    pub fn values(&self) -> usize {
+        self.chainage.len() * self.depth.len()
+    }
+}
+
+/// Something worth knowing about the whole field, such as the initial temperature.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Attribute {
+    /// A number; its unit belongs in the attribute's name, such as `initial_temperature_K`.
+    Number(f64),
+    /// Text.
+    Text(String),
+}
+
+impl From<f64> for Attribute {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<&str> for Attribute {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl From<&Attribute> for Value {
+    fn from(attribute: &Attribute) -> Self {
+        match attribute {
+            Attribute::Number(number) => Self::from(*number),
+            Attribute::Text(text) => Self::from(text.as_str()),
+        }
+    }
+}

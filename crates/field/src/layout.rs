@@ -1,0 +1,132 @@
+//! Names, chunks and codecs of the store.
+
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use serde_json::{Map, Value, json};
+use zarrs::array::codec::ZstdCodec;
+use zarrs::array::{Array, ArrayBuilder, ArrayMetadataOptions, CodecOptions, data_type};
+use zarrs::filesystem::FilesystemStore;
+
+use crate::axes::Axes;
+use crate::error::FieldError;
+
+pub(crate) type Store = Arc<FilesystemStore>;
+pub(crate) type StoredArray = Array<FilesystemStore>;
+
+pub(crate) const TEMPERATURE_RISE: &str = "temperature_rise";
+pub(crate) const TIME: &str = "time";
+pub(crate) const CHAINAGE: &str = "chainage";
+pub(crate) const DEPTH: &str = "depth";
+
+/// Attribute by which a store is known to be a rail field.
+pub(crate) const KIND: (&str, &str) = ("kind", "hotfoot rail field");
+
+/// Elements along the track in one compressed chunk: with some 35 depths about 140 kB of f32,
+/// which decodes in a fraction of a millisecond when only a short length of rail is wanted.
+const CHUNK_ELEMENTS: u64 = 1024;
+
+/// Level of zstd compression: the fastest.
+const COMPRESSION_LEVEL: i32 = 1;
+
+/// Opens the folder at `path` as a Zarr store.
+pub(crate) fn store(path: &Path) -> Result<Store, FieldError> {
+    FilesystemStore::new(path).map(Arc::new).map_err(|error| FieldError::zarr(path, error))
+}
+
+/// All work happens in the calling thread: the simulation decides about threads.
+pub(crate) fn in_this_thread() -> CodecOptions {
+    CodecOptions::default().with_concurrent_target(1)
+}
+
+/// The field itself, still without a snapshot. A snapshot is one shard, so one file, of chunks of
+/// [`CHUNK_ELEMENTS`] elements.
+pub(crate) fn temperature_rise(path: &Path, axes: &Axes) -> Result<StoredArray, FieldError> {
+    let (elements, depths) = (axes.chainage.len() as u64, axes.depth.len() as u64);
+    let chunk = CHUNK_ELEMENTS.min(elements);
+    let shard = elements.next_multiple_of(chunk);
+    ArrayBuilder::new(
+        vec![0, elements, depths],
+        vec![1, shard, depths],
+        data_type::float32(),
+        f32::NAN,
+    )
+    .subchunk_shape(vec![1, chunk, depths])
+    .bytes_to_bytes_codecs(vec![Arc::new(ZstdCodec::new(COMPRESSION_LEVEL, false))])
+    .dimension_names([TIME, CHAINAGE, DEPTH].into())
+    .attributes(attributes(json!({
+        "long_name": "temperature rise of the rail above its initial state",
+        "units": "K",
+    })))
+    .build(store(path)?, &format!("/{TEMPERATURE_RISE}"))
+    .map_err(|error| FieldError::zarr(path, error))
+}
+
+/// The times of the snapshots, still without one. Each time is a chunk of its own, so that
+/// appending never rewrites what is on disk.
+pub(crate) fn time(path: &Path) -> Result<StoredArray, FieldError> {
+    let attributes = attributes(json!({
+        "axis": "T",
+        "long_name": "time since the start of the simulation",
+        "units": "s",
+    }));
+    coordinate(path, TIME, (0, 1), attributes)
+}
+
+/// The chainages of a field with this many elements.
+pub(crate) fn chainage(path: &Path, elements: usize) -> Result<StoredArray, FieldError> {
+    let attributes = attributes(json!({
+        "axis": "X",
+        "long_name": "chainage of the middle of the element",
+        "units": "m",
+    }));
+    coordinate(path, CHAINAGE, (elements as u64, elements as u64), attributes)
+}
+
+/// The depths of a field with this many cells.
+pub(crate) fn depth(path: &Path, cells: usize) -> Result<StoredArray, FieldError> {
+    let attributes = attributes(json!({
+        "axis": "Z",
+        "positive": "down",
+        "long_name": "depth of the middle of the cell below the running surface",
+        "units": "m",
+    }));
+    coordinate(path, DEPTH, (cells as u64, cells as u64), attributes)
+}
+
+fn coordinate(
+    path: &Path,
+    name: &str,
+    (length, chunk): (u64, u64),
+    attributes: Map<String, Value>,
+) -> Result<StoredArray, FieldError> {
+    ArrayBuilder::new(vec![length], vec![chunk], data_type::float64(), f64::NAN)
+        .dimension_names([name].into())
+        .attributes(attributes)
+        .build(store(path)?, &format!("/{name}"))
+        .map_err(|error| FieldError::zarr(path, error))
+}
+
+fn attributes(value: Value) -> Map<String, Value> {
+    match value {
+        Value::Object(map) => map,
+        _ => Map::new(),
+    }
+}
+
+/// Writes an array's metadata by a rename, so that a reader finds the old or the new, whole.
+pub(crate) fn write_metadata(path: &Path, array: &StoredArray) -> Result<(), FieldError> {
+    let options = ArrayMetadataOptions::default().with_include_zarrs_metadata(false);
+    let text = array.metadata_opt(&options).to_string_pretty();
+    let folder = path.join(array.path().as_str().trim_start_matches('/'));
+    write_whole(&folder, &text).map_err(|source| FieldError::io(path, source))
+}
+
+/// Writes `zarr.json` of the group or array in `folder` by a rename.
+pub(crate) fn write_whole(folder: &Path, text: &str) -> std::io::Result<()> {
+    fs::create_dir_all(folder)?;
+    let partial = folder.join("zarr.json.partial");
+    fs::write(&partial, text)?;
+    fs::rename(partial, folder.join("zarr.json"))
+}

@@ -1,0 +1,110 @@
+//! Reads the snapshots of a field.
+
+use std::path::{Path, PathBuf};
+
+use zarrs::array::{ArraySubset, ElementOwned, FromArrayBytes};
+
+use crate::axes::Axes;
+use crate::error::FieldError;
+use crate::layout::{self, CHAINAGE, DEPTH, Store, StoredArray, TEMPERATURE_RISE, TIME};
+use crate::writer::is_rail_field;
+
+/// The temperature rise at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Snapshot {
+    /// Time, s.
+    pub time: f64,
+    /// Rise above the initial state, K; the depths of the first element first.
+    pub rise: Vec<f32>,
+}
+
+/// Reads a field, also one that is still being written or whose writer was killed.
+pub struct FieldReader {
+    path: PathBuf,
+    temperature_rise: StoredArray,
+    axes: Axes,
+    times: Vec<f64>,
+}
+
+impl FieldReader {
+    /// Opens the field at `path` with the snapshots that it has now.
+    ///
+    /// # Errors
+    /// When there is no rail field at the path, or it cannot be read.
+    pub fn open(path: &Path) -> Result<Self, FieldError> {
+        if !is_rail_field(path) {
+            return Err(FieldError::NotAField {
+                path: path.to_owned(),
+                reason: "zarr.json is missing or not one that Hotfoot wrote".to_owned(),
+            });
+        }
+        let store = layout::store(path)?;
+        let temperature_rise = open(path, &store, TEMPERATURE_RISE)?;
+        let axes = Axes {
+            chainage: coordinate(path, &open(path, &store, CHAINAGE)?)?,
+            depth: coordinate(path, &open(path, &store, DEPTH)?)?,
+        };
+        let mut times = coordinate(path, &open(path, &store, TIME)?)?;
+        // A writer that was killed within an append may have made the time visible only.
+        times.truncate(temperature_rise.shape()[0] as usize);
+        Ok(Self { path: path.to_owned(), temperature_rise, axes, times })
+    }
+
+    /// Where the values of each snapshot lie.
+    pub fn axes(&self) -> &Axes {
+        &self.axes
+    }
+
+    /// Times of the snapshots, s, rising.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// The snapshot nearest to `time` in s, the earlier one of two that are equally near.
+    ///
+    /// # Errors
+    /// When the field has no snapshot or the file cannot be read.
+    pub fn at_time(&self, time: f64) -> Result<Snapshot, FieldError> {
+        let distance = |index: &usize| (self.times[*index] - time).abs();
+        let nearest = (0..self.times.len())
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .ok_or_else(|| FieldError::NoSnapshot { path: self.path.clone() })?;
+        self.snapshot(nearest)
+    }
+
+    /// The snapshot at place `index` of [`times`](Self::times).
+    fn snapshot(&self, index: usize) -> Result<Snapshot, FieldError> {
+        let (elements, depths) = (self.axes.chainage.len(), self.axes.depth.len());
+        let index_range = index as u64..index as u64 + 1;
+        let subset =
+            ArraySubset::new_with_ranges(&[index_range, 0..elements as u64, 0..depths as u64]);
+        Ok(Snapshot {
+            time: self.times[index],
+            rise: read(&self.path, &self.temperature_rise, &subset)?,
+        })
+    }
+}
+
+fn open(path: &Path, store: &Store, name: &str) -> Result<StoredArray, FieldError> {
+    StoredArray::open(store.clone(), &format!("/{name}")).map_err(|error| FieldError::NotAField {
+        path: path.to_owned(),
+        reason: format!("array {name}: {error}"),
+    })
+}
+
+fn coordinate(path: &Path, array: &StoredArray) -> Result<Vec<f64>, FieldError> {
+    read(path, array, &array.subset_all())
+}
+
+fn read<T: ElementOwned>(
+    path: &Path,
+    array: &StoredArray,
+    subset: &ArraySubset,
+) -> Result<Vec<T>, FieldError>
+where
+    Vec<T>: FromArrayBytes,
+{
+    array
+        .retrieve_array_subset_opt(subset, &layout::in_this_thread())
+        .map_err(|error| FieldError::zarr(path, error))
+}

@@ -1,0 +1,167 @@
+//! Appends snapshots to a field while the simulation runs.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Map, Value, json};
+
+use crate::axes::{Attribute, Axes};
+use crate::error::FieldError;
+use crate::layout::{self, KIND, StoredArray};
+
+/// Appends snapshots of the temperature rise to a store on disk.
+///
+/// Nothing has to be finished: the store is complete after every [`append`](Self::append).
+pub struct FieldWriter {
+    path: PathBuf,
+    temperature_rise: StoredArray,
+    time: StoredArray,
+    /// One snapshot with the padding that fills the last chunk.
+    shard: Vec<f32>,
+    values: usize,
+    snapshots: u64,
+    last: Option<f64>,
+}
+
+impl FieldWriter {
+    /// Begins a field at `path`. A rail field that is there already is replaced; anything else
+    /// is left alone and refused.
+    ///
+    /// # Errors
+    /// When an axis is empty, something else is at the path, or it cannot be written.
+    pub fn create(
+        path: &Path,
+        axes: &Axes,
+        attributes: &[(&str, Attribute)],
+    ) -> Result<Self, FieldError> {
+        for (axis, values) in [("chainage", &axes.chainage), ("depth", &axes.depth)] {
+            if values.is_empty() {
+                let path = path.to_owned();
+                return Err(FieldError::EmptyAxis { path, axis });
+            }
+        }
+        make_room(path)?;
+        write_group(path, attributes)?;
+        let chainage = layout::chainage(path, axes.chainage.len())?;
+        let depth = layout::depth(path, axes.depth.len())?;
+        for (array, values) in [(chainage, &axes.chainage), (depth, &axes.depth)] {
+            store(path, &array, &[0], values)?;
+            layout::write_metadata(path, &array)?;
+        }
+        let temperature_rise = layout::temperature_rise(path, axes)?;
+        let time = layout::time(path)?;
+        layout::write_metadata(path, &time)?;
+        layout::write_metadata(path, &temperature_rise)?;
+        let shard = shard_values(path, &temperature_rise)?;
+        Ok(Self {
+            path: path.to_owned(),
+            temperature_rise,
+            time,
+            shard: vec![f32::NAN; shard],
+            values: axes.values(),
+            snapshots: 0,
+            last: None,
+        })
+    }
+
+    /// Appends the snapshot at `time` in s: the rise in K, the depths of the first element first.
+    ///
+    /// # Errors
+    /// When the snapshot has the wrong size, does not come after the last one, or cannot be
+    /// written; the snapshots before it stay readable.
+    pub fn append(&mut self, time: f64, rise: &[f32]) -> Result<(), FieldError> {
+        self.check(time, rise)?;
+        self.shard[..self.values].copy_from_slice(rise);
+        let n = self.snapshots;
+        let mut shape = self.temperature_rise.shape().to_vec();
+        shape[0] = n + 1;
+        grow(&self.path, &mut self.time, vec![n + 1])?;
+        grow(&self.path, &mut self.temperature_rise, shape)?;
+        store(&self.path, &self.time, &[n], &[time])?;
+        store(&self.path, &self.temperature_rise, &[n, 0, 0], &self.shard)?;
+        // The values are on disk; now they become visible.
+        layout::write_metadata(&self.path, &self.time)?;
+        layout::write_metadata(&self.path, &self.temperature_rise)?;
+        self.snapshots = n + 1;
+        self.last = Some(time);
+        Ok(())
+    }
+
+    /// Time of the last snapshot, s.
+    pub fn last_time(&self) -> Option<f64> {
+        self.last
+    }
+
+    fn check(&self, time: f64, rise: &[f32]) -> Result<(), FieldError> {
+        if rise.len() != self.values {
+            return Err(FieldError::Size {
+                path: self.path.clone(),
+                found: rise.len(),
+                wanted: self.values,
+            });
+        }
+        match self.last {
+            Some(last) if time <= last => {
+                Err(FieldError::NotLater { path: self.path.clone(), time, last })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Removes an older rail field at `path`.
+fn make_room(path: &Path) -> Result<(), FieldError> {
+    let io = |source| FieldError::io(path, source);
+    if !path.try_exists().map_err(io)? {
+        return Ok(());
+    }
+    if is_rail_field(path) {
+        return fs::remove_dir_all(path).map_err(io);
+    }
+    let empty = path.is_dir() && fs::read_dir(path).map_err(io)?.next().is_none();
+    if empty {
+        Ok(())
+    } else {
+        let path = path.to_owned();
+        Err(FieldError::Occupied { path })
+    }
+}
+
+/// Whether the group at `path` says that it is a rail field.
+pub(crate) fn is_rail_field(path: &Path) -> bool {
+    let metadata = fs::read_to_string(path.join("zarr.json"))
+        .ok()
+        .and_then(|text| serde_json::from_str::<Value>(&text).ok());
+    metadata.is_some_and(|metadata| metadata["attributes"][KIND.0] == KIND.1)
+}
+
+fn write_group(path: &Path, attributes: &[(&str, Attribute)]) -> Result<(), FieldError> {
+    let mut all = Map::from_iter([
+        (KIND.0.to_owned(), Value::from(KIND.1)),
+        ("Conventions".to_owned(), Value::from("CF-1.11")),
+    ]);
+    all.extend(attributes.iter().map(|(name, value)| ((*name).to_owned(), value.into())));
+    let group = json!({ "zarr_format": 3, "node_type": "group", "attributes": all });
+    layout::write_whole(path, &format!("{group:#}")).map_err(|source| FieldError::io(path, source))
+}
+
+/// Number of values of a shard of the field.
+fn shard_values(path: &Path, array: &StoredArray) -> Result<usize, FieldError> {
+    let shape = array.chunk_shape(&[0, 0, 0]).map_err(|error| FieldError::zarr(path, error))?;
+    Ok(shape.iter().map(|length| length.get() as usize).product())
+}
+
+fn grow(path: &Path, array: &mut StoredArray, shape: Vec<u64>) -> Result<(), FieldError> {
+    array.set_shape(shape).map(|_| ()).map_err(|error| FieldError::zarr(path, error))
+}
+
+fn store<T: zarrs::array::Element>(
+    path: &Path,
+    array: &StoredArray,
+    chunk: &[u64],
+    values: &[T],
+) -> Result<(), FieldError> {
+    array
+        .store_chunk_opt(chunk, values, &layout::in_this_thread())
+        .map_err(|error| FieldError::zarr(path, error))
+}

@@ -1,0 +1,141 @@
+//! What a field must hold on disk.
+
+use std::fs;
+use std::path::Path;
+
+use field::{Attribute, Axes, FieldError, FieldReader, FieldWriter};
+
+/// More elements than one chunk has, and not a multiple of it.
+fn axes() -> Axes {
+    Axes {
+        chainage: (0..2500).map(|i| 300.05 + 0.1 * f64::from(i)).collect(),
+        depth: (0..5).map(|j| 0.0025 + 0.005 * f64::from(j)).collect(),
+    }
+}
+
+/// A value that tells its place: 0.1 mK steps, which f32 must keep.
+fn rise(axes: &Axes, snapshot: usize) -> Vec<f32> {
+    (0..axes.values()).map(|i| (snapshot as f32) + 1e-4 * i as f32).collect()
+}
+
+fn create(path: &Path) -> FieldWriter {
+    let attributes = [
+        ("title", Attribute::from("left rail")),
+        ("initial_temperature_K", Attribute::from(293.15)),
+    ];
+    FieldWriter::create(path, &axes(), &attributes).unwrap()
+}
+
+fn metadata(path: &Path) -> serde_json::Value {
+    serde_json::from_str(&fs::read_to_string(path.join("zarr.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn property_what_is_written_is_read_to_the_last_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    let mut writer = create(&path);
+    for snapshot in 0..3 {
+        writer.append(10.0 * snapshot as f64, &rise(&axes(), snapshot)).unwrap();
+    }
+    let reader = FieldReader::open(&path).unwrap();
+    assert_eq!(reader.axes(), &axes());
+    assert_eq!(reader.times(), [0.0, 10.0, 20.0]);
+    let nearest = reader.at_time(11.0).unwrap();
+    assert_eq!(nearest.time, 10.0);
+    assert_eq!(nearest.rise, rise(&axes(), 1));
+    assert_eq!(reader.at_time(1e9).unwrap().rise, rise(&axes(), 2));
+}
+
+/// A process that is killed runs no destructor: the writer is forgotten, not dropped.
+#[test]
+fn property_a_killed_run_leaves_all_appended_snapshots() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    let mut writer = create(&path);
+    for snapshot in 0..2 {
+        writer.append(snapshot as f64, &rise(&axes(), snapshot)).unwrap();
+        let reader = FieldReader::open(&path).unwrap();
+        assert_eq!(reader.times().len(), snapshot + 1, "readable while it is written");
+    }
+    std::mem::forget(writer);
+    let reader = FieldReader::open(&path).unwrap();
+    assert_eq!(reader.at_time(1.0).unwrap().rise, rise(&axes(), 1));
+}
+
+/// The kill comes between the steps of an append: values are there, shapes not or half grown.
+#[test]
+fn property_a_half_appended_snapshot_is_not_seen() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    let mut writer = create(&path);
+    writer.append(0.0, &rise(&axes(), 0)).unwrap();
+    let before = fs::read(path.join("temperature_rise/zarr.json")).unwrap();
+    writer.append(1.0, &rise(&axes(), 1)).unwrap();
+    fs::write(path.join("temperature_rise/zarr.json"), before).unwrap();
+    let reader = FieldReader::open(&path).unwrap();
+    assert_eq!(reader.times(), [0.0]);
+    assert_eq!(reader.at_time(1.0).unwrap().rise, rise(&axes(), 0));
+}
+
+#[test]
+fn property_the_store_describes_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    create(&path).append(0.0, &rise(&axes(), 0)).unwrap();
+    let group = metadata(&path);
+    assert_eq!(group["zarr_format"], 3);
+    assert_eq!(group["attributes"]["initial_temperature_K"], 293.15);
+    let field = metadata(&path.join("temperature_rise"));
+    assert_eq!(field["shape"], serde_json::json!([1, 2500, 5]));
+    assert_eq!(field["data_type"], "float32");
+    assert_eq!(field["attributes"]["units"], "K");
+    assert_eq!(field["dimension_names"], serde_json::json!(["time", "chainage", "depth"]));
+    assert_eq!(metadata(&path.join("depth"))["attributes"]["positive"], "down");
+}
+
+#[test]
+fn property_an_older_field_is_replaced_and_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    create(&path).append(5.0, &rise(&axes(), 0)).unwrap();
+    create(&path);
+    assert!(FieldReader::open(&path).unwrap().times().is_empty());
+
+    let foreign = folder.path().join("thesis");
+    fs::create_dir(&foreign).unwrap();
+    fs::write(foreign.join("chapter1.txt"), "precious").unwrap();
+    let refused = FieldWriter::create(&foreign, &axes(), &[]).err().unwrap();
+    assert!(matches!(refused, FieldError::Occupied { .. }));
+    assert!(refused.to_string().contains("thesis"));
+    assert!(foreign.join("chapter1.txt").exists());
+}
+
+#[test]
+fn wrong_snapshots_are_refused_and_the_earlier_ones_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    let mut writer = create(&path);
+    writer.append(2.0, &rise(&axes(), 0)).unwrap();
+    let size = writer.append(3.0, &[0.0; 7]).unwrap_err();
+    assert!(matches!(size, FieldError::Size { found: 7, wanted: 12500, .. }));
+    let late = writer.append(2.0, &rise(&axes(), 1)).unwrap_err();
+    assert!(matches!(late, FieldError::NotLater { .. }));
+    assert_eq!(FieldReader::open(&path).unwrap().times(), [2.0]);
+}
+
+#[test]
+fn missing_stores_and_unwritable_places_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let missing = folder.path().join("nowhere.zarr");
+    let error = FieldReader::open(&missing).err().unwrap();
+    assert!(error.to_string().contains("nowhere.zarr"), "{error}");
+    let file = folder.path().join("file");
+    fs::write(&file, "not a folder").unwrap();
+    let error = FieldWriter::create(&file.join("rail.zarr"), &axes(), &[]).err().unwrap();
+    assert!(error.to_string().contains("rail.zarr"), "{error}");
+    let path = folder.path().join("rail.zarr");
+    create(&path);
+    let error = FieldReader::open(&path).unwrap().at_time(0.0).unwrap_err();
+    assert!(matches!(error, FieldError::NoSnapshot { .. }));
+}

@@ -1,0 +1,163 @@
+//! Getting and setting values.
+
+use std::ffi::{CStr, c_char, c_int};
+use std::ptr;
+
+use fmu::Status;
+
+use crate::fmi2::*;
+use crate::tool::Fmu;
+
+fn get_string(fmu: &Fmu, name: &str) -> *const c_char {
+    let mut value = ptr::null();
+    // SAFETY: the component lives, and there is room for one value.
+    let status = unsafe { fmi2GetString(fmu.component, &fmu.reference(name), 1, &mut value) };
+    assert_eq!(status, Status::Ok);
+    value
+}
+
+#[test]
+fn values_of_all_types_come_back_as_they_were_set() {
+    let fmu = Fmu::new();
+    let (substeps, damped) = (fmu.reference("substeps"), fmu.reference("damped"));
+    let (mut integer, mut boolean): (i32, c_int) = (0, 7);
+    assert_eq!(fmu.set("mass", 2.5), Status::Ok);
+    assert_eq!(fmu.set_string("trouble", "Zähes Öl, 50 %"), Status::Ok);
+    // SAFETY: the component lives, and there is one value each.
+    unsafe {
+        assert_eq!(fmi2SetInteger(fmu.component, &substeps, 1, &9), Status::Ok);
+        assert_eq!(fmi2SetBoolean(fmu.component, &damped, 1, &0), Status::Ok);
+        fmu.begin();
+        let status = fmi2GetInteger(fmu.component, &substeps, 1, &mut integer);
+        assert_eq!(status, Status::Ok);
+        let status = fmi2GetBoolean(fmu.component, &damped, 1, &mut boolean);
+        assert_eq!(status, Status::Ok);
+    }
+    assert_eq!((integer, boolean, fmu.get("mass")), (9, 0, 2.5));
+    // SAFETY: the text lives until the next call.
+    let text = unsafe { CStr::from_ptr(get_string(&fmu, "trouble")) };
+    assert_eq!(text.to_str(), Ok("Zähes Öl, 50 %"));
+}
+
+#[test]
+fn a_text_lives_until_the_next_one_is_asked_for() {
+    let fmu = Fmu::initializing();
+    assert_eq!(fmu.set_string("trouble", "first"), Status::Ok);
+    let text = get_string(&fmu, "trouble");
+    assert_eq!(fmu.set_string("trouble", "second"), Status::Ok);
+    // SAFETY: no text was asked for since.
+    assert_eq!(unsafe { CStr::from_ptr(text) }, c"first");
+}
+
+#[test]
+fn an_unknown_value_reference_is_named() {
+    let fmu = Fmu::running();
+    let (status, _) = fmu.get_reals(&[0, 4711]);
+    assert_eq!(status, Status::Error);
+    assert!(fmu.messages().iter().any(|message| {
+        message.text == "there is no Real variable with value reference 4711; there are 8"
+    }));
+    let fmu = Fmu::initializing();
+    // SAFETY: the component lives, and there is one value.
+    let status = unsafe { fmi2SetInteger(fmu.component, &1, 1, &1) };
+    assert_eq!(status, Status::Error);
+    assert!(fmu.message().contains("no Integer variable with value reference 1"));
+}
+
+#[test]
+fn nothing_needs_no_arrays_and_something_does() {
+    let fmu = Fmu::running();
+    fmu.messages();
+    // SAFETY: null is allowed.
+    unsafe {
+        let (c, none) = (fmu.component, ptr::null());
+        assert_eq!(fmi2GetReal(c, none, 0, ptr::null_mut()), Status::Ok);
+        assert_eq!(fmi2SetReal(c, none, 0, ptr::null()), Status::Ok);
+        assert_eq!(fmi2GetReal(c, none, 1, ptr::null_mut()), Status::Error);
+    }
+    assert_eq!(fmu.message(), "the argument `vr` is a null pointer");
+}
+
+#[test]
+fn values_out_of_bounds_or_not_finite_are_refused() {
+    for (name, value, sentence) in [
+        ("mass", 0.0, "`mass` cannot be 0: it must be a finite number, at least 0.1"),
+        ("force", 2e6, "`force` cannot be 2000000: it must be a finite number, at most 1000000"),
+        ("force", f64::NAN, "`force` cannot be NaN: it must be a finite number, at most 1000000"),
+        (
+            "stiffness",
+            f64::INFINITY,
+            "`stiffness` cannot be inf: it must be a finite number, from 0 to 1000000000",
+        ),
+        (
+            "initial.position",
+            f64::NEG_INFINITY,
+            "`initial.position` cannot be -inf: it must be a finite number",
+        ),
+    ] {
+        let fmu = Fmu::initializing();
+        assert_eq!(fmu.set(name, value), Status::Error, "{name} = {value}");
+        assert_eq!(fmu.message(), sentence);
+    }
+    let fmu = Fmu::new();
+    let substeps = fmu.reference("substeps");
+    // SAFETY: the component lives, and there is one value.
+    let status = unsafe { fmi2SetInteger(fmu.component, &substeps, 1, &0) };
+    assert_eq!(status, Status::Error);
+    assert_eq!(fmu.message(), "`substeps` cannot be 0: it must be a whole number, from 1 to 100");
+}
+
+/// Notes 1, 3 and 6 of the table of §4.2.4: what may be set in the states Instantiated,
+/// initialization Mode and step Complete.
+#[test]
+fn a_variable_can_be_set_in_the_states_of_its_causality() {
+    for (name, states) in [("force", "MC"), ("mass", "IM"), ("stiffness", "IMC"), ("position", "")]
+    {
+        for (letter, fmu) in [('I', Fmu::new()), ('M', Fmu::initializing()), ('C', Fmu::running())]
+        {
+            fmu.messages();
+            let accepted = fmu.set(name, 1.0) == Status::Ok;
+            assert_eq!(accepted, states.contains(letter), "{name} {letter}");
+            if !accepted {
+                let message = fmu.message();
+                assert!(message.starts_with(&format!("`{name}` may not be set")), "{message}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fixed_text_cannot_be_set_between_steps() {
+    let fmu = Fmu::running();
+    fmu.messages();
+    assert_eq!(fmu.set_string("trouble", "nan"), Status::Error);
+    let message = fmu.message();
+    assert!(
+        message.ends_with("in the state \"step complete\": it is a fixed parameter"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_text_that_is_not_utf8_is_refused() {
+    let fmu = Fmu::new();
+    let text = c"\xff".as_ptr();
+    // SAFETY: the component lives, and there is one value.
+    let status = unsafe { fmi2SetString(fmu.component, &fmu.reference("trouble"), 1, &text) };
+    assert_eq!(status, Status::Error);
+    assert_eq!(fmu.message(), "the argument `value` is not UTF-8");
+}
+
+#[test]
+fn derivatives_are_refused_with_the_flag_that_says_so() {
+    let fmu = Fmu::running();
+    fmu.messages();
+    // SAFETY: the component lives, and the arrays are empty.
+    let status = unsafe {
+        fmi2SetRealInputDerivatives(fmu.component, ptr::null(), 0, ptr::null(), ptr::null())
+    };
+    assert_eq!(status, Status::Error);
+    let sentence = "fmi2SetRealInputDerivatives is not offered: \
+                    modelDescription.xml has canInterpolateInputs=\"false\"";
+    assert_eq!(fmu.message(), sentence);
+}

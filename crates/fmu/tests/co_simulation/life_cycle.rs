@@ -1,0 +1,194 @@
+//! Making, initialising, resetting and ending instances.
+
+use std::ffi::CStr;
+use std::ptr;
+
+use fmu::Status;
+
+use crate::fmi2::*;
+use crate::tool::{Fmu, Order};
+
+/// The reason why an order was not met.
+fn refusal(order: Order) -> String {
+    let messages = Fmu::order(order).err().expect("it must be refused");
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    assert_eq!(messages[0].category, "logStatusError");
+    messages[0].text.clone()
+}
+
+#[test]
+fn version_and_platform_are_those_of_the_standard() {
+    // SAFETY: the functions give texts that live for ever.
+    let (version, platform) = unsafe {
+        let version = CStr::from_ptr(fmi2GetVersion());
+        (version, CStr::from_ptr(fmi2GetTypesPlatform()))
+    };
+    assert_eq!((version, platform), (c"2.0", c"default"));
+}
+
+#[test]
+fn a_wrong_guid_is_refused_with_the_remedy() {
+    let guid = Some("{00000000-0000-0000-0000-000000000000}".to_owned());
+    let message = refusal(Order { guid, ..Order::default() });
+    let remedy = "this modelDescription.xml is stale or belongs to another FMU";
+    assert!(message.contains(remedy), "{message}");
+    let message = refusal(Order { guid: None, ..Order::default() });
+    assert!(message.contains("fmuGUID"), "{message}");
+}
+
+#[test]
+fn an_instance_without_name_is_refused() {
+    for name in [None, Some(""), Some("  ")] {
+        let message = refusal(Order { name, ..Order::default() });
+        assert!(message.contains("name") || message.contains("Name"), "{message}");
+    }
+}
+
+#[test]
+fn model_exchange_is_refused() {
+    let message = refusal(Order { fmu_type: 0, ..Order::default() });
+    assert!(message.contains("co-simulation"), "{message}");
+}
+
+#[test]
+fn a_resource_location_that_is_no_file_is_refused() {
+    let location = Some("https://example.org".to_owned());
+    let message = refusal(Order { location, ..Order::default() });
+    assert!(message.contains("is not a file URI"), "{message}");
+}
+
+#[test]
+fn without_callbacks_there_is_no_instance() {
+    // SAFETY: the texts are valid, and null stands for the callbacks.
+    let component = unsafe {
+        let (name, guid) = (c"a spring".as_ptr(), c"{}".as_ptr());
+        fmi2Instantiate(name, 1, guid, ptr::null(), ptr::null(), 0, 0)
+    };
+    assert!(component.is_null());
+}
+
+#[test]
+fn resources_shape_the_interface() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let resources = folder.path().join("with space");
+    std::fs::create_dir(&resources).expect("a folder");
+    std::fs::write(resources.join("points.txt"), "3").expect("a file");
+    let guid = crate::tool::native_in(&resources).guid().to_string();
+    assert_ne!(Some(&guid), Order::default().guid.as_ref());
+
+    let location = resources.to_str().expect("UTF-8").replace(' ', "%20");
+    for prefix in ["file://", "file:", "file://localhost"] {
+        let fmu = Fmu::order(Order {
+            guid: Some(guid.clone()),
+            location: Some(format!("{prefix}{location}")),
+            ..Order::default()
+        });
+        let fmu = fmu.unwrap_or_else(|messages| panic!("{prefix}: {messages:?}"));
+        fmu.begin();
+        let last = fmu.reference("point[1].position") + 2;
+        assert_eq!(fmu.get_reals(&[last]), (Status::Ok, vec![0.1]));
+    }
+}
+
+#[test]
+fn a_file_that_shapes_the_interface_wrongly_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("points.txt"), "many").expect("a file");
+    let location = Some(format!("file://{}", folder.path().display()));
+    let message = refusal(Order { location, ..Order::default() });
+    assert!(message.contains("points.txt: `many` is no number"), "{message}");
+}
+
+#[test]
+fn freeing_nothing_is_ignored() {
+    // SAFETY: null is allowed.
+    unsafe { fmi2FreeInstance(ptr::null_mut()) };
+}
+
+#[test]
+fn a_call_without_instance_is_an_error() {
+    // SAFETY: null is allowed.
+    let status = unsafe { fmi2DoStep(ptr::null_mut(), 0.0, 1.0, 1) };
+    assert_eq!(status, Status::Error);
+}
+
+#[test]
+fn the_experiment_must_be_set_up_and_make_sense() {
+    let fmu = Fmu::new();
+    assert_eq!(fmu.enter_initialization_mode(), Status::Error);
+    assert!(fmu.message().contains("fmi2SetupExperiment must be called before"));
+    for (start, stop) in [(f64::NAN, None), (1.0, Some(1.0)), (0.0, Some(f64::INFINITY))] {
+        assert_eq!(fmu.reset(), Status::Ok);
+        assert_eq!(fmu.setup_experiment(start, stop), Status::Error, "{start} {stop:?}");
+        assert!(fmu.message().contains("no finite length greater than zero"));
+    }
+}
+
+#[test]
+fn initial_outputs_follow_the_start_values() {
+    let fmu = Fmu::new();
+    assert_eq!(fmu.set("initial.position", 0.2), Status::Ok);
+    fmu.begin();
+    assert_eq!(fmu.get("position"), 0.2);
+    assert_eq!(fmu.set("initial.position", 0.3), Status::Ok);
+    assert_eq!(fmu.get("position"), 0.3);
+    assert_eq!(fmu.set("initial.position", 0.4), Status::Ok);
+    assert_eq!(fmu.exit_initialization_mode(), Status::Ok);
+    assert_eq!(fmu.get("position"), 0.4);
+}
+
+#[test]
+fn start_values_that_the_model_refuses_end_in_an_error() {
+    for (trouble, sentence) in [
+        ("start error", "the initialization failed: the spring is too hot"),
+        ("start nan", "the output `velocity` became NaN at 0 s"),
+        ("start panic", "fmi2ExitInitializationMode met a programming error: the spring snapped"),
+    ] {
+        let fmu = Fmu::initializing();
+        assert_eq!(fmu.set_string("trouble", trouble), Status::Ok);
+        assert_eq!(fmu.exit_initialization_mode(), Status::Error, "{trouble}");
+        let messages = fmu.messages();
+        assert_eq!(messages.last().expect("a reason").text, sentence);
+        assert_eq!(fmu.exit_initialization_mode(), Status::Error);
+        assert_eq!(fmu.reset(), Status::Ok);
+        fmu.begin();
+        assert_eq!(fmu.exit_initialization_mode(), Status::Ok);
+    }
+}
+
+#[test]
+fn a_reset_instance_is_as_new() {
+    let fmu = Fmu::initializing();
+    assert_eq!(fmu.set("mass", 3.0), Status::Ok);
+    assert_eq!(fmu.exit_initialization_mode(), Status::Ok);
+    assert_eq!(fmu.do_step(0.0, 0.1), Status::Ok);
+    assert_eq!(fmu.reset(), Status::Ok);
+    fmu.begin();
+    assert_eq!(fmu.exit_initialization_mode(), Status::Ok);
+    assert_eq!((fmu.get("mass"), fmu.get("position")), (1.0, 0.1));
+    assert_eq!(fmu.do_step(0.0, 0.1), Status::Ok);
+    let position = fmu.get("position");
+    let new = Fmu::running();
+    assert_eq!(new.do_step(0.0, 0.1), Status::Ok);
+    assert_eq!(position.to_bits(), new.get("position").to_bits());
+}
+
+#[test]
+fn a_terminated_instance_shows_its_last_values() {
+    let fmu = Fmu::running();
+    assert_eq!(fmu.terminate(), Status::Ok);
+    assert_eq!(fmu.get("position"), 0.1);
+    assert!(fmu.messages().iter().any(|message| message.text == "the spring rests"));
+    assert_eq!(fmu.terminate(), Status::Error);
+}
+
+#[test]
+fn after_an_error_only_a_reset_or_a_state_leads_on() {
+    let fmu = Fmu::running();
+    let mut state = fmu.save();
+    assert_eq!(fmu.do_step(5.0, 0.1), Status::Error);
+    assert_eq!(fmu.do_step(0.0, 0.1), Status::Error);
+    assert_eq!(fmu.restore(state), Status::Ok);
+    assert_eq!(fmu.do_step(0.0, 0.1), Status::Ok);
+    assert_eq!(fmu.free_state(&mut state), Status::Ok);
+}

@@ -1,0 +1,102 @@
+//! The consist file: the vehicles of a train in order from its head.
+//!
+//! ```toml
+//! [[vehicle]]
+//! type = "locomotive-coco-134t"
+//! count = 2
+//! [[vehicle]]
+//! type = "wagon-coco-134t-unpowered"
+//! count = 128
+//! ```
+
+use std::path::Path;
+
+use serde::Deserialize;
+
+use crate::check::{Check, StockError};
+use crate::library::{parse, read};
+
+/// Most vehicles a train may have.
+const MOST_VEHICLES: usize = 1000;
+
+/// The vehicle types of a train in order from its head.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Consist {
+    /// Name of each vehicle's type.
+    pub types: Vec<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ConsistFile {
+    vehicle: Vec<Block>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Block {
+    r#type: String,
+    #[serde(default = "one")]
+    count: usize,
+}
+
+fn one() -> usize {
+    1
+}
+
+impl Consist {
+    /// Reads a consist file.
+    ///
+    /// # Errors
+    /// When the file cannot be read or a value in it is not possible.
+    pub fn from_file(file: &Path) -> Result<Self, StockError> {
+        Self::from_toml(&read(file)?, &file.display().to_string())
+    }
+
+    /// Reads the text of a consist file; `name` stands in the error messages.
+    ///
+    /// # Errors
+    /// When a value is not possible.
+    pub fn from_toml(text: &str, name: &str) -> Result<Self, StockError> {
+        let content: ConsistFile = parse(text, name)?;
+        let check = Check::new(name);
+        let mut types: Vec<String> = vec![];
+        for (i, block) in content.vehicle.into_iter().enumerate() {
+            if !(1..=MOST_VEHICLES - types.len()).contains(&block.count) {
+                let wanted = format!("must be at least 1, and {MOST_VEHICLES} in all at most");
+                let key = format!("vehicle[{}].count", i + 1);
+                return Err(check.error(&key, block.count, wanted));
+            }
+            types.extend(std::iter::repeat_n(block.r#type, block.count));
+        }
+        match types.is_empty() {
+            true => Err(check.error("vehicle", "[]", "must have at least one vehicle")),
+            false => Ok(Self { types }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_block_stands_for_its_count_of_vehicles() {
+        let text = "vehicle = [{ type = 'loco', count = 2 }, { type = 'wagon' }]";
+        let consist = Consist::from_toml(text, "consist.toml").unwrap();
+        assert_eq!(consist.types, ["loco", "loco", "wagon"]);
+    }
+
+    #[test]
+    fn a_count_of_zero_is_refused_with_key_and_remedy() {
+        let text = "vehicle = [{ type = 'loco' }, { type = 'wagon', count = 0 }]";
+        let message = Consist::from_toml(text, "c.toml").unwrap_err().to_string();
+        assert!(message.starts_with("c.toml: vehicle[2].count = 0: must be at least 1"));
+    }
+
+    #[test]
+    fn a_train_without_vehicles_is_refused() {
+        let message = Consist::from_toml("vehicle = []", "c.toml").unwrap_err().to_string();
+        assert!(message.contains("at least one vehicle"));
+    }
+}

@@ -1,0 +1,224 @@
+//! What a `[multibody]` section must fulfil.
+
+use crate::check::{Check, StockError};
+use crate::multibody::{Body, Multibody, Wheelset};
+
+type Checked = Result<(), StockError>;
+
+/// Checks a section whose bodies and wheelsets have names of their own.
+pub(crate) struct Checker<'a> {
+    multibody: &'a Multibody,
+    check: &'a Check<'a>,
+    /// Names of the bodies, then of the wheelsets.
+    names: Vec<&'a str>,
+}
+
+impl<'a> Checker<'a> {
+    /// Collects the names of bodies and wheelsets.
+    pub fn new(multibody: &'a Multibody, check: &'a Check<'a>) -> Result<Self, StockError> {
+        if multibody.body.is_empty() {
+            let wanted = "at least one body is needed, the car body first";
+            return Err(check.error("body", "[]", wanted));
+        }
+        if multibody.wheelset.is_empty() {
+            let wanted = "at least one wheelset is needed";
+            return Err(check.error("wheelset", "[]", wanted));
+        }
+        let bodies = multibody.body.iter().map(|body| body.name.as_str());
+        let wheelsets = multibody.wheelset.iter().map(|w| w.name.as_str());
+        let names: Vec<&str> = bodies.chain(wheelsets).collect();
+        for (i, name) in names.iter().enumerate() {
+            if names[..i].contains(name) {
+                let wanted = "every body and wheelset needs a name of its own";
+                return Err(check.error("body[..].name", name, wanted));
+            }
+        }
+        Ok(Self { multibody, check, names })
+    }
+
+    /// Masses, inertias and places, and the sum of the masses against the vehicle's.
+    pub fn masses(&self, mass_kg: f64) -> Checked {
+        let height = self.multibody.coupler.height_m;
+        self.check.between("coupler.height_m", height, 0.0, 3.0)?;
+        for (i, body) in self.multibody.body.iter().enumerate() {
+            self.body(body, &self.check.section(&format!("body[{}]", i + 1)))?;
+        }
+        for (i, wheelset) in self.multibody.wheelset.iter().enumerate() {
+            let check = self.check.section(&format!("wheelset[{}]", i + 1));
+            self.wheelset(wheelset, &check)?;
+        }
+        let sum = self.multibody.mass();
+        if (sum - mass_kg).abs() <= 1e-6 * mass_kg {
+            return Ok(());
+        }
+        let wanted = format!("must add up to the vehicle's mass_kg = {mass_kg}");
+        let key = "body[..].mass_kg + wheelset[..].mass_kg";
+        Err(self.check.error(key, sum, wanted))
+    }
+
+    fn body(&self, body: &Body, check: &Check) -> Checked {
+        inertia(check, body.mass_kg, body.inertia_kg_m2)?;
+        check.between("x_m", body.x_m, -50.0, 50.0)?;
+        check.between("height_m", body.height_m, 0.0, 10.0)
+    }
+
+    fn wheelset(&self, wheelset: &Wheelset, check: &Check) -> Checked {
+        inertia(check, wheelset.mass_kg, wheelset.inertia_kg_m2)?;
+        check.between("x_m", wheelset.x_m, -50.0, 50.0)?;
+        check.between("wheel_radius_m", wheelset.wheel_radius_m, 0.1, 1.5)?;
+        let bodies = &self.names[..self.multibody.body.len()];
+        match bodies.contains(&wheelset.frame.as_str()) {
+            true => Ok(()),
+            false => {
+                Err(check.error("frame", &wheelset.frame, format!("must be one of {bodies:?}")))
+            }
+        }
+    }
+
+    /// Values of the contact section; profiles are known to the contact model only.
+    pub fn contact(&self) -> Checked {
+        let contact = &self.multibody.contact;
+        let check = self.check.section("contact");
+        check.between("rail_inclination", contact.rail_inclination, 0.0, 0.05)?;
+        check.between("gauge_mm", contact.gauge_mm, 300.0, 2500.0)?;
+        let back = contact.flange_back_distance_mm;
+        let gauge = contact.gauge_mm;
+        check.between("flange_back_distance_mm", back, gauge - 150.0, gauge - 30.0)?;
+        check.between("damping_s_m", contact.damping_s_m, 0.0, 10.0)?;
+        let creep = &contact.creep;
+        let check = check.section("creep");
+        check.between("adhesion_factor", creep.adhesion_factor, 0.01, 1.0)?;
+        check.between("slip_factor", creep.slip_factor, 0.01, creep.adhesion_factor)?;
+        check.between("friction", creep.friction, 0.01, 1.0)?;
+        check.between("limit_ratio", creep.limit_ratio, 0.01, 1.0)?;
+        check.between("decay_s_m", creep.decay_s_m, 0.0, 10.0)
+    }
+
+    /// Springs, dampers and stops.
+    pub fn elements(&self) -> Checked {
+        for (i, spring) in self.multibody.spring.iter().enumerate() {
+            let check = self.check.section(&format!("spring[{}]", i + 1));
+            self.ends(&check, &spring.between, &spring.points_m)?;
+            for value in spring.stiffness_n_m {
+                check.between("stiffness_n_m", value, 0.0, 1e10)?;
+            }
+            for value in spring.damping_n_s_m {
+                check.between("damping_n_s_m", value, 0.0, 1e8)?;
+            }
+        }
+        for (i, damper) in self.multibody.damper.iter().enumerate() {
+            let check = self.check.section(&format!("damper[{}]", i + 1));
+            self.ends(&check, &damper.between, &damper.points_m)?;
+            check.positive("damping_n_s_m", damper.damping_n_s_m)?;
+            let series = damper.series_stiffness_n_m.unwrap_or(1.0);
+            check.positive("series_stiffness_n_m", series)?;
+            check.positive("blow_off_n", damper.blow_off_n.unwrap_or(1.0))?;
+        }
+        for (i, stop) in self.multibody.stop.iter().enumerate() {
+            let check = self.check.section(&format!("stop[{}]", i + 1));
+            self.ends(&check, &stop.between, &stop.points_m)?;
+            check.between("free_play_mm", stop.free_play_mm, 0.0, 1000.0)?;
+            check.positive("stiffness_n_m", stop.stiffness_n_m)?;
+        }
+        Ok(())
+    }
+
+    /// The two bodies of an element exist, and it has points.
+    fn ends(&self, check: &Check, between: &[String; 2], points: &[[f64; 3]]) -> Checked {
+        for name in between {
+            if !self.names.contains(&name.as_str()) {
+                let wanted = format!("must name two of {:?}", self.names);
+                return Err(check.error("between", name, wanted));
+            }
+            if let Some(wheelset) = self.multibody.wheelset.iter().find(|w| &w.name == name) {
+                in_the_axle(check, wheelset, points)?;
+            }
+        }
+        if between[0] == between[1] {
+            return Err(check.error("between", &between[0], "must name two different bodies"));
+        }
+        match points.is_empty() {
+            true => Err(check.error("points_m", "[]", "at least one point is needed")),
+            false => Ok(()),
+        }
+    }
+}
+
+/// A wheelset turns, so that elements can act in its axle only.
+fn in_the_axle(check: &Check, wheelset: &Wheelset, points: &[[f64; 3]]) -> Checked {
+    let off_axle = |&&[x, _, height]: &&[f64; 3]| {
+        (x - wheelset.x_m).abs() > 1e-9 || (height - wheelset.wheel_radius_m).abs() > 1e-9
+    };
+    match points.iter().find(off_axle) {
+        None => Ok(()),
+        Some(point) => {
+            let wanted = "an element on a wheelset must act in the axle: x as the wheelset's \
+                          x_m, height as its wheel_radius_m";
+            Err(check.error("points_m", format!("{point:?}"), wanted))
+        }
+    }
+}
+
+fn inertia(check: &Check, mass: f64, inertia: [f64; 3]) -> Checked {
+    check.positive("mass_kg", mass)?;
+    for value in inertia {
+        check.positive("inertia_kg_m2", value)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SMALL: &str = r#"
+        source = "test"
+        coupler.height_m = 0.9
+        body = [{ name = "frame", mass_kg = 900.0, inertia_kg_m2 = [1.0, 1.0, 1.0],
+                  x_m = 0.0, height_m = 0.6 }]
+        wheelset = [{ name = "axle", mass_kg = 100.0, inertia_kg_m2 = [1.0, 1.0, 1.0],
+                      x_m = 0.0, wheel_radius_m = 0.46, frame = "frame" }]
+        spring = [{ name = "primary", between = ["frame", "axle"],
+                    points_m = [[0.0, 1.0, 0.46]], stiffness_n_m = [1e6, 1e6, 1e6] }]
+        [contact]
+        wheel = "S1002"
+        rail = "60E1"
+        rail_inclination = 0.025
+        gauge_mm = 1435.0
+        flange_back_distance_mm = 1360.0
+        damping_s_m = 0.9
+        [contact.creep]
+        source = "test"
+        adhesion_factor = 1.0
+        slip_factor = 0.4
+        friction = 0.3
+        limit_ratio = 0.4
+        decay_s_m = 0.6
+    "#;
+
+    fn checked(text: &str) -> Checked {
+        let section: Multibody = toml::from_str(text).unwrap();
+        section.check(&Check::new("v.toml").section("multibody"), 1000.0)
+    }
+
+    fn message(from: &str, to: &str) -> String {
+        assert!(SMALL.contains(from));
+        checked(&SMALL.replacen(from, to, 1)).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn a_sound_section_passes() {
+        checked(SMALL).unwrap();
+    }
+
+    #[test]
+    fn wrong_values_are_named_with_key_value_and_remedy() {
+        let negative = message("900.0", "-1.0");
+        assert!(negative.starts_with("v.toml: multibody.body[1].mass_kg = -1: must be"));
+        assert!(message("900.0", "800.0").contains("must add up to the vehicle's mass_kg = 1000"));
+        assert!(message("\"frame\", \"axle\"", "\"frame\", \"axel\"").contains("axel"));
+        assert!(message("[0.0, 1.0, 0.46]", "[0.0, 1.0, 0.5]").contains("act in the axle"));
+        assert!(message("[0.0, 1.0, 0.46]", "").contains("at least one point"));
+        assert!(message("slip_factor = 0.4", "slip_factor = 2.0").contains("slip_factor"));
+    }
+}

@@ -1,0 +1,136 @@
+//! The shipped rolling stock, and what the library says about files that are wrong.
+
+use std::path::{Path, PathBuf};
+
+use stock::{Library, StockError, Vehicle};
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../stock");
+
+fn shipped() -> Library {
+    Library::open(ROOT).expect("the repository has a stock folder")
+}
+
+/// A library of the shipped vehicles in a folder of its own, with one more vehicle in it.
+struct Scratch {
+    folder: tempfile::TempDir,
+}
+
+impl Scratch {
+    fn with(name: &str, text: &str) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let vehicles = folder.path().join("vehicles");
+        std::fs::create_dir(&vehicles).unwrap();
+        for file in std::fs::read_dir(Path::new(ROOT).join("vehicles")).unwrap() {
+            let file = file.unwrap();
+            std::fs::copy(file.path(), vehicles.join(file.file_name())).unwrap();
+        }
+        std::fs::write(vehicles.join(format!("{name}.toml")), text).unwrap();
+        Self { folder }
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        self.folder.path().join("vehicles").join(format!("{name}.toml"))
+    }
+
+    fn vehicle(&self, name: &str) -> Result<Vehicle, StockError> {
+        Library::open(self.folder.path())?.vehicle(name)
+    }
+}
+
+/// The message about a vehicle that extends the shipped locomotive with `text`.
+fn message(text: &str) -> String {
+    let text = format!("extends = 'locomotive-coco-134t'\n{text}");
+    let error = Scratch::with("changed", &text).vehicle("changed").unwrap_err();
+    error.to_string()
+}
+
+/// Source: Bosomworth et al. 2018, tables 1 and 2: 134 t, 20 m, six axles; the wagon is the
+/// locomotive without traction.
+#[test]
+fn benchmark_vehicles_of_the_paper() {
+    let locomotive = shipped().vehicle("locomotive-coco-134t").unwrap();
+    let wagon = shipped().vehicle("wagon-coco-134t-unpowered").unwrap();
+    for vehicle in [&locomotive, &wagon] {
+        let size = (vehicle.mass_kg, vehicle.length_m, vehicle.axles);
+        assert_eq!(size, (134_000.0, 20.0, 6));
+    }
+    assert!(locomotive.traction.is_some() && wagon.traction.is_none());
+    assert_eq!(locomotive.brake, wagon.brake);
+}
+
+/// Source: Miner TF-880 data sheet, 61.7 kJ and 2518 kN at 74.4 mm. Two per cent is what the
+/// polyline through rounded points may add; the power law itself has the capacity exactly.
+#[test]
+fn benchmark_official_capacity_of_the_friction_gear() {
+    let gear = shipped().draft_gear("friction-gear-m901e").unwrap();
+    let energy = gear.loading.energy_to_kj(74.4);
+    assert!((energy / 61.7 - 1.0).abs() < 0.02, "{energy} kJ");
+    assert_eq!(gear.loading.force_at_kn(74.4), 2518.0);
+}
+
+#[test]
+fn a_vehicle_changes_single_values_of_the_one_it_extends() {
+    let text = "extends = 'locomotive-coco-134t'\n[brake]\nlag_s = 2.0\n";
+    let changed = Scratch::with("changed", text).vehicle("changed").unwrap();
+    let mut expected = shipped().vehicle("locomotive-coco-134t").unwrap();
+    expected.brake.lag_s = 2.0;
+    assert_eq!(changed, expected);
+}
+
+#[test]
+fn a_vehicle_file_finds_the_library_it_lies_in() {
+    let scratch = Scratch::with("changed", "extends = 'wagon-coco-134t-unpowered'\naxles = 4\n");
+    let file = scratch.file("changed");
+    let vehicle = Library::of(&file).unwrap().vehicle_from_file(&file).unwrap();
+    assert_eq!(vehicle.axles, 4);
+}
+
+#[test]
+fn a_negative_mass_is_refused_with_file_key_and_remedy() {
+    let message = message("mass_kg = -134000.0");
+    assert!(message.contains("changed.toml: mass_kg = -134000: must lie between 100"));
+}
+
+#[test]
+fn bodies_must_weigh_what_the_vehicle_weighs() {
+    let message = message("mass_kg = 130000.0");
+    assert!(message.contains("must add up to the vehicle's mass_kg = 130000"), "{message}");
+}
+
+#[test]
+fn an_unknown_key_is_refused_by_name() {
+    assert!(message("lenght_m = 20.0").contains("lenght_m"));
+}
+
+#[test]
+fn an_unknown_key_is_refused_with_its_line_in_a_file_of_its_own() {
+    let own = std::fs::read_to_string(Path::new(ROOT).join("vehicles/locomotive-coco-134t.toml"));
+    let text = format!("lenght_m = 20.0\n{}", own.unwrap());
+    let error = Scratch::with("own", &text).vehicle("own").unwrap_err().to_string();
+    assert!(error.contains("line 1") && error.contains("lenght_m"), "{error}");
+}
+
+#[test]
+fn a_table_that_does_not_rise_is_refused_with_its_row() {
+    let message = message("[dynamic_brake.effort]\nspeed_kmh = [0, 10, 10]\neffort_kn = [0, 1, 1]");
+    let expected = "dynamic_brake.effort.speed_kmh[3] = 10: must be greater than the value before";
+    assert!(message.contains(expected), "{message}");
+}
+
+#[test]
+fn a_section_to_leave_out_must_exist() {
+    let message = message("without = ['tracton']");
+    assert!(message.contains("without = \"tracton\": locomotive-coco-134t has only"), "{message}");
+}
+
+#[test]
+fn a_vehicle_that_extends_itself_is_refused() {
+    let error = Scratch::with("loop", "extends = 'loop'\n").vehicle("loop").unwrap_err();
+    assert!(error.to_string().contains("must not extend itself"));
+}
+
+#[test]
+fn a_missing_file_is_named() {
+    let message = shipped().vehicle("no-such").unwrap_err().to_string();
+    assert!(message.contains("no-such.toml"));
+}

@@ -1,0 +1,40 @@
+//! Dynamic brake of a locomotive: the motors as generators.
+//!
+//! ```text
+//! F = −d D(v)      (theory, eq. 14)
+//! ```
+//!
+//! with the share d that the lever has reached and the full effort D by speed, which is zero at
+//! standstill, so that the brake stops nothing by itself.
+
+use numerics::{LinearTable, TableError};
+
+/// Kilometres per hour in a metre per second.
+const KMH: f64 = 3.6;
+
+/// Dynamic brake of one locomotive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DynamicBrake {
+    /// Full effort by speed, N over m/s.
+    effort: LinearTable,
+    /// Time from nothing to full effort, s.
+    pub ramp: f64,
+}
+
+impl DynamicBrake {
+    /// The dynamic brake of a vehicle file.
+    ///
+    /// # Errors
+    /// When its table cannot be used.
+    pub fn new(file: &stock::DynamicBrake) -> Result<Self, TableError> {
+        let speeds = file.effort.speed_kmh.iter().map(|v| v / KMH).collect();
+        let efforts = file.effort.effort_kn.iter().map(|f| f * 1e3).collect();
+        Ok(Self { effort: LinearTable::new(speeds, efforts)?, ramp: file.ramp_s })
+    }
+
+    /// Force at a share of the full effort and a velocity, m/s, against the motion, in N.
+    pub fn force(&self, share: f64, velocity: f64) -> f64 {
+        let effort = self.effort.value(velocity.abs(), &mut 0);
+        -(share * effort).copysign(velocity)
+    }
+}

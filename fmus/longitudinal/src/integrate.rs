@@ -1,0 +1,59 @@
+//! The step: kick, drift, kick.
+//!
+//! A fixed-step symplectic scheme of second order (velocity Verlet, theory, eq. 2): half the impulse
+//! of the forces at the old place, the way at constant velocity, and half the impulse of the forces
+//! at the new place. Forces that depend on the velocity are taken at the velocity of the way.
+//!
+//! With locked gears of 200 MN/m between masses of 134 t the highest angular frequency is 77 rad/s;
+//! the scheme is stable up to a step of 2/77 s = 26 ms.
+
+use crate::driver::Command;
+use crate::energy::Work;
+use crate::train::{TrainDynamics, TrainState};
+
+/// Longest inner step, s.
+const LONGEST_STEP: f64 = 1e-3;
+
+/// Share of an inner step by which a step may exceed a whole number of them.
+const TOLERANCE: f64 = 1e-6;
+
+impl TrainDynamics {
+    /// Takes the train over a time `length`, s, with a constant command.
+    pub fn advance(&mut self, state: &mut TrainState, command: &Command, length: f64) {
+        let count = (length / LONGEST_STEP - TOLERANCE).ceil().max(1.0);
+        for _ in 0..count as usize {
+            self.inner_step(state, command, length / count);
+        }
+    }
+
+    fn inner_step(&mut self, state: &mut TrainState, command: &Command, step: f64) {
+        for (vehicle, state) in self.vehicles.iter().zip(&mut state.vehicles) {
+            state.kick(vehicle.inverse_inertia, step / 2.0);
+            state.position += step * state.velocity;
+        }
+        self.move_connections(state);
+        let mut power = Work::default();
+        for (vehicle, state) in self.vehicles.iter_mut().zip(&mut state.vehicles) {
+            vehicle.operate(state, command, step);
+            vehicle.act(state, &self.track);
+            state.kick(vehicle.inverse_inertia, step / 2.0);
+            power.add_power(state);
+        }
+        state.work.add(&state.power, step / 2.0);
+        state.work.add(&power, step / 2.0);
+        state.power = power;
+    }
+
+    /// Brings the connections to the vehicles' new places.
+    fn move_connections(&mut self, state: &mut TrainState) {
+        let connections = self.connections.iter_mut().zip(&mut state.connections);
+        for (k, (connection, own)) in connections.enumerate() {
+            let (front, rear) = (&state.vehicles[k], &state.vehicles[k + 1]);
+            let deflection = front.position - rear.position - connection.rest_distance();
+            let velocity = front.velocity - rear.velocity;
+            state.gear_work += connection.move_to(own, deflection, velocity);
+            state.vehicles[k].forces.coupler_rear = own.force;
+            state.vehicles[k + 1].forces.coupler_front = own.force;
+        }
+    }
+}

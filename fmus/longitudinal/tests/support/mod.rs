@@ -1,0 +1,77 @@
+//! Trains for the tests, from the shipped rolling stock.
+
+use longitudinal::driver::Command;
+use longitudinal::{Couplers, Start, TrainDynamics, TrainState};
+use stock::{DraftGear, Library, Vehicle};
+use track::Track;
+
+/// Folder of the shipped rolling stock.
+const STOCK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../stock");
+
+fn library() -> Library {
+    Library::open(STOCK).expect("the repository has a stock folder")
+}
+
+/// The paper's locomotive.
+pub fn locomotive() -> Vehicle {
+    library().vehicle("locomotive-coco-134t").unwrap()
+}
+
+/// The paper's wagon.
+pub fn wagon() -> Vehicle {
+    library().vehicle("wagon-coco-134t-unpowered").unwrap()
+}
+
+/// A shipped draft gear.
+pub fn gear(name: &str) -> DraftGear {
+    library().draft_gear(name).unwrap()
+}
+
+/// The friction gear of the paper's train.
+pub fn friction_gear() -> DraftGear {
+    gear("friction-gear-m901e")
+}
+
+/// A vehicle that nothing resists.
+pub fn without_resistance(mut vehicle: Vehicle) -> Vehicle {
+    vehicle.resistance.factor = 0.0;
+    vehicle.resistance.curve_n_m_per_t = 0.0;
+    vehicle
+}
+
+/// A train with one kind of draft gear.
+pub fn train(vehicles: &[Vehicle], gear: &DraftGear, track: Track) -> TrainDynamics {
+    TrainDynamics::new(vehicles.iter().map(|vehicle| (vehicle, gear)), track).unwrap()
+}
+
+/// Locomotives at the head of wagons.
+pub fn block_train(locomotives: usize, wagons: usize) -> Vec<Vehicle> {
+    let locomotives = std::iter::repeat_n(locomotive(), locomotives);
+    locomotives.chain(std::iter::repeat_n(wagon(), wagons)).collect()
+}
+
+/// Track with one gradient throughout.
+pub fn gradient(permille: f64) -> Track {
+    let text = format!("gradient = [{{ chainage_m = 0.0, permille = {permille:?} }}]");
+    Track::from_toml(&text, "gradient").unwrap()
+}
+
+/// The state at the beginning of a run at `velocity` with `applied` in force.
+pub fn start(
+    train: &mut TrainDynamics,
+    velocity: f64,
+    couplers: Couplers,
+    applied: Command,
+) -> TrainState {
+    train.start(&Start { position: 0.0, velocity, couplers, applied })
+}
+
+/// Traction in a notch.
+pub fn notch(notch: f64) -> Command {
+    Command { notch, ..Command::default() }
+}
+
+/// Friction brake.
+pub fn train_brake(train_brake: f64) -> Command {
+    Command { train_brake, ..Command::default() }
+}

@@ -1,0 +1,193 @@
+//! The model as an FMU.
+
+use std::path::Path;
+
+use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
+
+use crate::field_file::FieldFile;
+use crate::file::Shape;
+use crate::paper::{Paper, State, Stray};
+use crate::signals::Signals;
+use crate::wheels::Wheel;
+
+/// Heat in one rail from the wheels of a train.
+pub struct RailHeat {
+    model: Paper,
+    /// The inputs of the present step.
+    wheels: Vec<Wheel>,
+    /// The element of each probe.
+    probes: Vec<usize>,
+    field: Option<FieldFile>,
+}
+
+impl Model for RailHeat {
+    const IDENTITY: Identity = Identity {
+        name: "Hotfoot rail heat",
+        identifier: "railheat",
+        description: "Temperature rise of one rail along the track and over its depth, caused by \
+                      the wheels of a train and the weather",
+        default_step: 0.001,
+    };
+
+    type Signals = Signals;
+    type State = State;
+
+    fn declare(resources: &Path, declaration: &mut Declaration) -> Result<Signals, ModelError> {
+        let shape = Shape::from_resources(resources).map_err(ModelError::from_error)?;
+        Ok(Signals::declare(shape, declaration))
+    }
+
+    fn initialize(
+        signals: &Signals,
+        values: &mut Values,
+        _resources: &Path,
+        start_time: f64,
+        _log: &mut Log,
+    ) -> Result<Self, ModelError> {
+        let weather = signals.weather(values);
+        let parameters = signals.parameters.read(values, &weather, &signals.shape.depths)?;
+        let wheels = vec![Wheel::default(); signals.wheels.len()];
+        let model =
+            Paper::new(parameters, wheels.len(), start_time).map_err(ModelError::from_error)?;
+        let rail_heat = Self {
+            probes: probe_elements(&signals.shape, &model)?,
+            field: begin_field(signals, values, start_time, &model)?,
+            wheels,
+            model,
+        };
+        rail_heat.write_outputs(signals, values);
+        Ok(rail_heat)
+    }
+
+    fn step(
+        &mut self,
+        signals: &Signals,
+        values: &mut Values,
+        interval: Interval,
+        log: &mut Log,
+    ) -> Result<(), ModelError> {
+        for (wheel, inputs) in self.wheels.iter_mut().zip(&signals.wheels) {
+            *wheel = inputs.read(values);
+            check(wheel, &inputs.name)?;
+        }
+        let weather = signals.weather(values);
+        if !(weather.ambient > 0.0 && weather.irradiance.is_finite()) {
+            return Err(ModelError::new(format!(
+                "ambient.temperature = {} K, solar.irradiance = {} W/m2: the first must be above \
+                 zero and the second a finite number",
+                weather.ambient, weather.irradiance
+            )));
+        }
+        let Interval { start, length } = interval;
+        if let Some(stray) = self.model.step(&self.wheels, &weather, start, length) {
+            log.warning(self.sentence(signals, stray, start + length));
+        }
+        if let Some(field) = &mut self.field {
+            let written = field.write_if_due(start + length, &self.model);
+            written.map_err(ModelError::from_error)?;
+        }
+        self.write_outputs(signals, values);
+        Ok(())
+    }
+
+    fn state(&self) -> &State {
+        self.model.state()
+    }
+
+    fn restore(&mut self, state: State) {
+        self.model.restore(state);
+    }
+}
+
+impl RailHeat {
+    fn write_outputs(&self, signals: &Signals, values: &mut Values) {
+        let outputs = &signals.outputs;
+        for (handles, highest) in outputs.highest.iter().zip(self.model.highest()) {
+            values[handles.rise] = highest.rise;
+            values[handles.chainage] = highest.chainage;
+        }
+        for (handles, &element) in outputs.probes.iter().zip(&self.probes) {
+            for (handle, level) in handles.rises.iter().zip(self.model.levels()) {
+                values[*handle] = self.model.rail().rise(element, level);
+            }
+            values[handles.heat] = self.model.heat_per_metre(element);
+        }
+        let energy = self.model.energy();
+        values[outputs.highest_flash] = self.model.highest_flash();
+        values[outputs.untouched] = self.model.rail().untouched_surface();
+        values[outputs.stored] = energy.stored;
+        values[outputs.imposed] = energy.imposed;
+        values[outputs.weather] = energy.weather;
+    }
+
+    fn sentence(&self, signals: &Signals, stray: Stray, time: f64) -> String {
+        let grid = &self.model.parameters().grid;
+        format!(
+            "{} is at chainage {:.1} m at {time:.3} s, outside the modelled track from {} m to {} m; \
+             wheels heat nothing there (told once)",
+            signals.wheels[stray.wheel].name,
+            stray.position,
+            grid.begin,
+            grid.end()
+        )
+    }
+}
+
+/// Refuses inputs of a wheel that make no sense.
+fn check(wheel: &Wheel, name: &str) -> Result<(), ModelError> {
+    let contact = &wheel.contact;
+    let all = [wheel.position, wheel.speed, wheel.creepage, contact.normal_force];
+    if !all.iter().all(|value| value.is_finite()) {
+        return Err(ModelError::new(format!(
+            "{name}: position {} m, speed {} m/s, longitudinal creepage {} and normal force {} N \
+             must be finite numbers",
+            wheel.position, wheel.speed, wheel.creepage, contact.normal_force
+        )));
+    }
+    if contact.normal_force > 0.0 && !(contact.a > 0.0 && contact.b > 0.0) {
+        return Err(ModelError::new(format!(
+            "{name}: contact.a = {} m, contact.b = {} m: must be greater than zero while the \
+             normal force is ({} N)",
+            contact.a, contact.b, contact.normal_force
+        )));
+    }
+    Ok(())
+}
+
+/// The element in which each probe lies.
+fn probe_elements(shape: &Shape, model: &Paper) -> Result<Vec<usize>, ModelError> {
+    let grid = &model.parameters().grid;
+    let element = |&chainage: &f64| {
+        crate::wheels::passed(grid, chainage, chainage)
+            .map(|elements| *elements.start())
+            .ok_or_else(|| {
+                ModelError::new(format!(
+                    "probe at chainage_m = {chainage}: must lie on the modelled track from {} m to {} m",
+                    grid.begin,
+                    grid.end()
+                ))
+            })
+    };
+    shape.probes.iter().map(element).collect()
+}
+
+/// Begins the field's file, if one is wanted.
+fn begin_field(
+    signals: &Signals,
+    values: &Values,
+    start_time: f64,
+    model: &Paper,
+) -> Result<Option<FieldFile>, ModelError> {
+    let path = &values[signals.parameters.field_file];
+    if path.is_empty() {
+        return Ok(None);
+    }
+    let interval = values[signals.parameters.field_interval];
+    if !(interval > 0.0 && interval.is_finite()) {
+        let sentence = format!("field_interval = {interval}: must be greater than zero");
+        return Err(ModelError::new(sentence));
+    }
+    FieldFile::create(Path::new(path), interval, start_time, model)
+        .map(Some)
+        .map_err(ModelError::from_error)
+}

@@ -1,0 +1,286 @@
+//! The paper's model: what happens in which order (section 2.1 of the paper).
+//!
+//! In every conduction interval
+//! 1. each wheel sets the surface of the elements it passes to the temperature of untouched rail
+//!    plus its flash rise, unless the surface is hotter already;
+//! 2. convection, radiation and the sun act on the surface of all elements;
+//! 3. heat is conducted downwards in all elements.
+//!
+//! Steps of the co-simulation may be shorter or longer than the conduction interval: what wheels
+//! do is gathered in between, and a longer step is cut, with the wheels moving evenly.
+
+use serde::{Deserialize, Serialize};
+
+use crate::audit::Energy;
+use crate::column::{Unstable, fourier_number};
+use crate::flash_temperature::Friction;
+use crate::material::Material;
+use crate::rail::{Exchange, Grid, Highest, Level, Rail};
+use crate::surface::{Surface, Weather};
+use crate::wheels::{Wheel, passed};
+
+/// Slack in comparing times, s: steps are sums of rounded numbers.
+const SAME_TIME: f64 = 1e-9;
+
+/// All constants of the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// How the rail is cut.
+    pub grid: Grid,
+    /// Width of the column, m: 75 mm makes Table 4's top area of 0.0075 m² with 0.1 m elements.
+    pub width: f64,
+    /// Step of weather and conduction, s.
+    pub conduction_interval: f64,
+    /// Steel of the rail.
+    pub material: Material,
+    /// Friction of the wheels.
+    pub friction: Friction,
+    /// Running surface.
+    pub surface: Surface,
+    /// Temperature of the whole rail at the start, K.
+    pub initial_temperature: f64,
+    /// Depths at which the highest rise is looked for besides surface and foot, m.
+    pub depths: Vec<f64>,
+}
+
+/// A wheel that stands outside the modelled track.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stray {
+    /// Place of the wheel in the order given.
+    pub wheel: usize,
+    /// Its chainage, m.
+    pub position: f64,
+}
+
+/// All that changes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    rail: Rail,
+    /// Number of conduction intervals done.
+    conducted: u64,
+    /// Where each wheel was at the end of the last step, m.
+    positions: Vec<Option<f64>>,
+    energy: Energy,
+    highest: Vec<Highest>,
+    highest_flash: f64,
+    /// Whether a stray wheel has been told of.
+    stray_told: bool,
+}
+
+/// The paper's model of one rail.
+pub struct Paper {
+    parameters: Parameters,
+    start_time: f64,
+    /// s of eq. 1.
+    number: f64,
+    /// Surface, the parameters' depths, foot.
+    levels: Vec<Level>,
+    /// Heat of a cell that rises by 1 K, J/K.
+    cell_capacity: f64,
+    /// Flash rise of each wheel in the present step, K.
+    flash: Vec<f64>,
+    state: State,
+}
+
+impl Paper {
+    /// A rail at its initial temperature, with this many wheels.
+    ///
+    /// # Errors
+    /// When the conduction interval is over the limit of stability.
+    pub fn new(parameters: Parameters, wheels: usize, start_time: f64) -> Result<Self, Unstable> {
+        let Parameters { grid, material, .. } = &parameters;
+        let number = fourier_number(material, parameters.conduction_interval, grid.cell_size)?;
+        let volume = grid.cell_size * parameters.width * grid.element_length;
+        let rail = Rail::new(grid);
+        let levels: Vec<Level> = std::iter::once(Level::SURFACE)
+            .chain(parameters.depths.iter().map(|depth| Level::at_depth(grid, *depth)))
+            .chain([Level::foot(grid)])
+            .collect();
+        let highest = levels.iter().map(|level| rail.highest(grid, level));
+        let state = State {
+            conducted: 0,
+            positions: vec![None; wheels],
+            energy: Energy::default(),
+            highest: highest.collect(),
+            highest_flash: 0.0,
+            stray_told: false,
+            rail,
+        };
+        Ok(Self {
+            number,
+            levels,
+            cell_capacity: material.heat_capacity() * volume,
+            flash: vec![0.0; wheels],
+            start_time,
+            parameters,
+            state,
+        })
+    }
+
+    /// One step with the wheels as they are at its end and the weather meanwhile. Before the
+    /// first step a wheel is taken to have come with its speed.
+    ///
+    /// The first wheel that stands outside the modelled track is told of, once in a run; the
+    /// rail feels the wheels only while they are on it.
+    pub fn step(
+        &mut self,
+        wheels: &[Wheel],
+        weather: &Weather,
+        start: f64,
+        length: f64,
+    ) -> Option<Stray> {
+        self.begin(wheels, length);
+        let mut done = 0.0;
+        loop {
+            let next = self.next_conduction();
+            if next > start + length + SAME_TIME {
+                break;
+            }
+            let share = ((next - start) / length).clamp(done, 1.0);
+            self.pass(wheels, done, share);
+            self.conduct(weather);
+            done = share;
+        }
+        if done < 1.0 {
+            self.pass(wheels, done, 1.0);
+        }
+        for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
+            *position = Some(wheel.position);
+        }
+        self.stray(wheels)
+    }
+
+    /// Computes the flash rise of each wheel, and where new wheels came from.
+    fn begin(&mut self, wheels: &[Wheel], length: f64) {
+        let Parameters { friction, material, .. } = &self.parameters;
+        self.state.highest_flash = 0.0;
+        let of_wheels = self.flash.iter_mut().zip(&mut self.state.positions);
+        for (wheel, (flash, position)) in wheels.iter().zip(of_wheels) {
+            *flash = friction.rise(&wheel.contact, wheel.creepage, wheel.speed, material);
+            self.state.highest_flash = self.state.highest_flash.max(*flash);
+            position.get_or_insert(wheel.position - wheel.speed * length);
+        }
+    }
+
+    /// Time at which the next conduction interval ends, s.
+    fn next_conduction(&self) -> f64 {
+        let intervals = (self.state.conducted + 1) as f64;
+        self.start_time + intervals * self.parameters.conduction_interval
+    }
+
+    /// The wheels go from one share of the step to another and heat what they pass.
+    fn pass(&mut self, wheels: &[Wheel], from: f64, to: f64) {
+        let grid = &self.parameters.grid;
+        let untouched = self.state.rail.untouched_surface();
+        for (index, wheel) in wheels.iter().enumerate() {
+            let flash = self.flash[index];
+            let Some(begin) = self.state.positions[index].filter(|_| flash > 0.0) else {
+                continue;
+            };
+            let at = |share: f64| begin + share * (wheel.position - begin);
+            let end = if to < 1.0 { at(to) } else { wheel.position };
+            for element in passed(grid, at(from), end).into_iter().flatten() {
+                let heated = self.state.rail.heat_surface(element, untouched + flash);
+                if heated > 0.0 {
+                    self.state.note_heated(heated * self.cell_capacity);
+                    self.state.note_surface(untouched + flash, || grid.chainage(element));
+                }
+            }
+        }
+    }
+
+    /// Weather and conduction over one interval.
+    fn conduct(&mut self, weather: &Weather) {
+        let Parameters { grid, material, surface, .. } = &self.parameters;
+        let exchange = Exchange {
+            surface,
+            weather,
+            initial: self.parameters.initial_temperature,
+            rise_per_flux: self.parameters.conduction_interval
+                / (material.heat_capacity() * grid.cell_size),
+        };
+        let state = &mut self.state;
+        let sums = state.rail.step(grid, &exchange, self.number);
+        state.energy.stored = self.cell_capacity * sums.stored;
+        state.energy.weather += self.cell_capacity * sums.weather;
+        for (highest, level) in state.highest.iter_mut().zip(&self.levels) {
+            *highest = state.rail.highest(grid, level);
+        }
+        state.conducted += 1;
+    }
+
+    /// The first wheel that is outside the modelled track, if none was told of before.
+    fn stray(&mut self, wheels: &[Wheel]) -> Option<Stray> {
+        if self.state.stray_told {
+            return None;
+        }
+        let grid = &self.parameters.grid;
+        let on_track = grid.begin..grid.end();
+        let is_stray =
+            |wheel: &Wheel| wheel.contact.normal_force > 0.0 && !on_track.contains(&wheel.position);
+        let wheel = wheels.iter().position(is_stray)?;
+        self.state.stray_told = true;
+        Some(Stray { wheel, position: wheels[wheel].position })
+    }
+
+    /// The model's constants.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// The rail.
+    pub fn rail(&self) -> &Rail {
+        &self.state.rail
+    }
+
+    /// Where the heat came from and where it is.
+    pub fn energy(&self) -> Energy {
+        self.state.energy
+    }
+
+    /// Where [`highest`](Self::highest) looks: surface, the parameters' depths, foot.
+    pub fn levels(&self) -> &[Level] {
+        &self.levels
+    }
+
+    /// The highest rise at each level.
+    pub fn highest(&self) -> &[Highest] {
+        &self.state.highest
+    }
+
+    /// The highest flash rise of any wheel in the last step, K.
+    pub fn highest_flash(&self) -> f64 {
+        self.state.highest_flash
+    }
+
+    /// Heat above the initial state per metre of rail at an element, J/m.
+    pub fn heat_per_metre(&self, element: usize) -> f64 {
+        let of_element = self.state.rail.sum(element) * self.cell_capacity;
+        of_element / self.parameters.grid.element_length
+    }
+
+    /// All that changes, for saving.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Puts a saved state back.
+    pub fn restore(&mut self, state: State) {
+        self.state = state;
+    }
+}
+
+impl State {
+    /// Adds the heat in J that a wheel put in.
+    fn note_heated(&mut self, heat: f64) {
+        self.energy.imposed += heat;
+        self.energy.stored += heat;
+    }
+
+    /// A surface has been heated to `rise`: keeps the highest up to date between conduction steps.
+    fn note_surface(&mut self, rise: f64, chainage: impl Fn() -> f64) {
+        if let Some(highest) = self.highest.first_mut().filter(|highest| rise > highest.rise) {
+            *highest = Highest { rise, chainage: chainage() };
+        }
+    }
+}

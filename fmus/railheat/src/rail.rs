@@ -1,0 +1,245 @@
+//! The modelled length of rail: a column of cells for each element along the track.
+//!
+//! Columns that no wheel has touched see the same weather and share one reference column. They
+//! are worked on in blocks of [`LANES`]; a block takes part once a wheel has heated one of its
+//! elements.
+
+use serde::{Deserialize, Serialize};
+
+use crate::column::{self, LANES};
+use crate::surface::{Surface, Weather};
+
+/// How the rail is cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid {
+    /// Chainage at which the first element begins, m.
+    pub begin: f64,
+    /// Length of an element along the track, m.
+    pub element_length: f64,
+    /// Number of elements.
+    pub elements: usize,
+    /// Size of a cell over the depth, m.
+    pub cell_size: f64,
+    /// Number of cells of a column.
+    pub cells: usize,
+}
+
+impl Grid {
+    /// Chainage at which the last element ends, m.
+    pub fn end(&self) -> f64 {
+        self.begin + self.elements as f64 * self.element_length
+    }
+
+    /// Chainage of the middle of an element, m.
+    pub fn chainage(&self, element: usize) -> f64 {
+        self.begin + (element as f64 + 0.5) * self.element_length
+    }
+
+    /// Depth of the middle of a cell, m.
+    pub fn depth(&self, cell: usize) -> f64 {
+        (cell as f64 + 0.5) * self.cell_size
+    }
+
+    /// Number of blocks; the last one may have columns beyond the end, which no wheel touches.
+    fn blocks(&self) -> usize {
+        self.elements.div_ceil(LANES)
+    }
+
+    /// Number of columns of a block that are part of the rail.
+    fn columns(&self, block: usize) -> usize {
+        LANES.min(self.elements - block * LANES)
+    }
+}
+
+/// A depth at which the rise is read: linear between the middles of two cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level {
+    above: usize,
+    below: usize,
+    share: f64,
+}
+
+impl Level {
+    /// The cell at the surface: there the wheels set the temperature.
+    pub const SURFACE: Self = Self { above: 0, below: 0, share: 0.0 };
+
+    /// The lowest cell.
+    pub fn foot(grid: &Grid) -> Self {
+        Self { above: grid.cells - 1, below: grid.cells - 1, share: 0.0 }
+    }
+
+    /// A depth in m; above the first middle of a cell the surface, below the last one the foot.
+    pub fn at_depth(grid: &Grid, depth: f64) -> Self {
+        let last = grid.cells - 1;
+        let place = (depth / grid.cell_size - 0.5).clamp(0.0, last as f64);
+        let above = place as usize;
+        Self { above, below: (above + 1).min(last), share: place - above as f64 }
+    }
+
+    /// The rise where `cell` gives that of each cell.
+    #[inline]
+    fn read(&self, cell: impl Fn(usize) -> f64) -> f64 {
+        let above = cell(self.above);
+        above + self.share * (cell(self.below) - above)
+    }
+}
+
+/// The highest rise at a depth, and where.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Highest {
+    /// Rise, K.
+    pub rise: f64,
+    /// Chainage, m.
+    pub chainage: f64,
+}
+
+/// Sums of temperature changes in K over cells, from one step of the rail.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sums {
+    /// Rise of all cells after the step.
+    pub stored: f64,
+    /// Change of all surface cells by the weather.
+    pub weather: f64,
+}
+
+/// What the weather does to a surface cell in one step.
+pub struct Exchange<'w> {
+    /// The surface.
+    pub surface: &'w Surface,
+    /// The weather.
+    pub weather: &'w Weather,
+    /// Initial temperature of the rail, K.
+    pub initial: f64,
+    /// Rise of a cell by a flux of 1 W/m² in one step, K·m²/W.
+    pub rise_per_flux: f64,
+}
+
+impl Exchange<'_> {
+    /// Change in one step of a surface cell that has risen by `rise`, K.
+    #[inline]
+    pub fn change(&self, rise: f64) -> f64 {
+        self.rise_per_flux * self.surface.flux(self.initial + rise, self.weather)
+    }
+}
+
+/// Rise of every cell above the initial temperature, K.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Rail {
+    /// Block after block; in a block depth after depth; in a depth [`LANES`] columns.
+    cells: Vec<f64>,
+    /// Whether a wheel has heated an element of the block.
+    touched: Vec<bool>,
+    /// The reference column, [`LANES`] times the same, so that it is treated as the others are.
+    untouched: Vec<f64>,
+}
+
+impl Rail {
+    /// A rail at its initial temperature.
+    pub fn new(grid: &Grid) -> Self {
+        let block = grid.cells * LANES;
+        Self {
+            cells: vec![0.0; grid.blocks() * block],
+            touched: vec![false; grid.blocks()],
+            untouched: vec![0.0; block],
+        }
+    }
+
+    /// Rise of the surface where no wheel has been, K.
+    pub fn untouched_surface(&self) -> f64 {
+        self.untouched[0]
+    }
+
+    /// Raises the surface of an element to `rise` if it is colder, and gives by how much.
+    pub fn heat_surface(&mut self, element: usize, rise: f64) -> f64 {
+        let (block, lane) = (element / LANES, element % LANES);
+        let size = self.untouched.len();
+        if !self.touched[block] {
+            if rise <= self.untouched[0] {
+                return 0.0;
+            }
+            self.cells[block * size..][..size].copy_from_slice(&self.untouched);
+            self.touched[block] = true;
+        }
+        let surface = &mut self.cells[block * size + lane];
+        let before = *surface;
+        *surface = before.max(rise);
+        *surface - before
+    }
+
+    /// One step of all columns: first the weather acts on the surfaces, then heat is conducted.
+    pub fn step(&mut self, grid: &Grid, exchange: &Exchange<'_>, number: f64) -> Sums {
+        let size = self.untouched.len();
+        let of_untouched = step_block(&mut self.untouched, exchange, number, 1);
+        let mut sums = Sums::default();
+        for (block, cells) in self.cells.chunks_exact_mut(size).enumerate() {
+            let columns = grid.columns(block);
+            if self.touched[block] {
+                let of_block = step_block(cells, exchange, number, columns);
+                sums.stored += of_block.stored;
+                sums.weather += of_block.weather;
+            } else {
+                sums.stored += columns as f64 * of_untouched.stored;
+                sums.weather += columns as f64 * of_untouched.weather;
+            }
+        }
+        sums
+    }
+
+    /// The rise of an element at a depth, K.
+    pub fn rise(&self, element: usize, level: &Level) -> f64 {
+        let (block, lane) = (self.block(element / LANES), element % LANES);
+        level.read(|cell| block[cell * LANES + lane])
+    }
+
+    /// Sum of the rise over the cells of an element, K.
+    pub fn sum(&self, element: usize) -> f64 {
+        let (block, lane) = (self.block(element / LANES), element % LANES);
+        block[lane..].iter().step_by(LANES).sum()
+    }
+
+    /// The highest rise at a depth; the first of equal ones.
+    pub fn highest(&self, grid: &Grid, level: &Level) -> Highest {
+        let mut highest = f64::NEG_INFINITY;
+        let mut element = 0;
+        for index in 0..self.touched.len() {
+            let block = self.block(index);
+            let columns = if self.touched[index] { grid.columns(index) } else { 1 };
+            for lane in 0..columns {
+                let rise = level.read(|cell| block[cell * LANES + lane]);
+                if rise > highest {
+                    highest = rise;
+                    element = index * LANES + lane;
+                }
+            }
+        }
+        Highest { rise: highest, chainage: grid.chainage(element) }
+    }
+
+    /// Writes all rises into `values`, the depths of the first element first.
+    pub fn snapshot(&self, grid: &Grid, values: &mut [f32]) {
+        for (element, column) in values.chunks_exact_mut(grid.cells).enumerate() {
+            let (block, lane) = (self.block(element / LANES), element % LANES);
+            for (value, rise) in column.iter_mut().zip(block[lane..].iter().step_by(LANES)) {
+                *value = *rise as f32;
+            }
+        }
+    }
+
+    /// The cells of a block, those of the reference column if no wheel has touched it.
+    fn block(&self, index: usize) -> &[f64] {
+        let size = self.untouched.len();
+        if self.touched[index] { &self.cells[index * size..][..size] } else { &self.untouched }
+    }
+}
+
+/// One step of a block, of which the first `columns` count in the sums.
+fn step_block(cells: &mut [f64], exchange: &Exchange<'_>, number: f64, columns: usize) -> Sums {
+    let mut change = [0.0; LANES];
+    let (surface, _) = cells.split_at_mut(LANES);
+    for lane in 0..LANES {
+        change[lane] = exchange.change(surface[lane]);
+        surface[lane] += change[lane];
+    }
+    let stored = column::conduct(cells, number);
+    Sums { stored: stored[..columns].iter().sum(), weather: change[..columns].iter().sum() }
+}

@@ -1,0 +1,256 @@
+//! The rail heat as an FMU: names, files, messages, saved states.
+
+use std::fs;
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+
+use field::FieldReader;
+use fmu::{Instance, Kind};
+use railheat::RailHeat;
+
+const FILE: &str = "wheelsets_per_vehicle = [2, 1]\ndepths_mm = [20.0, 60.0]\n\
+                    [[probe]]\nchainage_m = 30.05\n";
+
+/// An FMU with its messages; files in a folder of its own.
+struct Bench {
+    instance: Instance<RailHeat>,
+    messages: Arc<Mutex<Vec<String>>>,
+    folder: tempfile::TempDir,
+}
+
+impl Bench {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("railheat.toml"), FILE).unwrap();
+        let messages = Arc::new(Mutex::new(Vec::new()));
+        let sink = messages.clone();
+        let keep = Box::new(move |_, message: &str| sink.lock().unwrap().push(message.to_owned()));
+        let mut instance = Instance::new(folder.path(), "left rail", keep).unwrap();
+        instance.setup_experiment(0.0, None).unwrap();
+        let mut bench = Self { instance, messages, folder };
+        bench.set("track.length", 100.0);
+        bench
+    }
+
+    fn reference(&self, name: &str) -> u32 {
+        let variables = self.instance.declaration().variables();
+        let found = variables.iter().find(|variable| variable.name == name);
+        found.unwrap_or_else(|| panic!("no variable {name}")).reference
+    }
+
+    fn set(&mut self, name: &str, value: f64) {
+        let reference = self.reference(name);
+        self.instance.set_real(&[reference], [value]).unwrap();
+    }
+
+    fn get(&mut self, name: &str) -> f64 {
+        let reference = self.reference(name);
+        self.instance.get_real(&[reference]).unwrap().next().unwrap()
+    }
+
+    fn start(&mut self) -> Result<(), String> {
+        self.instance.enter_initialization_mode().map_err(|error| error.to_string())?;
+        self.instance.exit_initialization_mode().map_err(|error| chain(&error))
+    }
+
+    /// One step in which all wheels end at these chainages.
+    fn step(&mut self, start: f64, length: f64, head: f64) -> Result<(), String> {
+        for (wheel, offset) in [
+            ("vehicle[1].wheelset[1]", 0.0),
+            ("vehicle[1].wheelset[2]", 1.83),
+            ("vehicle[2].wheelset[1]", 20.0),
+        ] {
+            for (signal, value) in [
+                ("position", head - offset),
+                ("speed", 16.67),
+                ("creepage.longitudinal", 0.003),
+                ("force.normal", 109_500.0),
+                ("contact.a", 0.0063),
+                ("contact.b", 0.0063),
+            ] {
+                self.set(&format!("{wheel}.{signal}"), value);
+            }
+        }
+        self.instance.do_step(start, length).map_err(|error| chain(&error))
+    }
+
+    /// Steps of 10 ms from one step to another, with the first wheel at 28 m at the start.
+    fn steps(&mut self, from: u32, to: u32) {
+        for step in from..to {
+            let start = 0.01 * f64::from(step);
+            self.step(start, 0.01, 28.003 + 16.67 * (start + 0.01)).unwrap();
+        }
+    }
+}
+
+/// An error with its causes.
+fn chain(error: &dyn std::error::Error) -> String {
+    match error.source() {
+        Some(source) => format!("{error}: {}", chain(source)),
+        None => error.to_string(),
+    }
+}
+
+/// `design.md` §3 fixes the names.
+#[test]
+fn property_the_signals_have_the_designs_names() {
+    let bench = Bench::new();
+    for signal in [
+        "position",
+        "speed",
+        "creepage.longitudinal",
+        "force.normal",
+        "friction_power",
+        "contact.a",
+        "contact.b",
+        "contact.lateral_position",
+        "brake_power",
+    ] {
+        bench.reference(&format!("vehicle[2].wheelset[1].{signal}"));
+    }
+    for name in [
+        "ambient.temperature",
+        "wind.speed",
+        "solar.irradiance",
+        "solar.elevation",
+        "solar.azimuth",
+        "field_file",
+        "field_interval",
+        "model",
+        "highest.surface.rise",
+        "highest.foot.chainage",
+        "highest.depth[2].rise",
+        "probe[1].surface.rise",
+        "probe[1].depth[1].rise",
+        "probe[1].foot.rise",
+        "probe[1].heat",
+        "energy.stored",
+    ] {
+        bench.reference(name);
+    }
+    let variables = bench.instance.declaration().variables();
+    let positions = variables.iter().filter(|variable| variable.name.ends_with("].position"));
+    assert_eq!(positions.count(), 3, "two wheelsets and one");
+    let paper = Kind::Text { start: "paper".to_owned() };
+    assert!(variables.iter().any(|variable| variable.name == "model" && variable.kind == paper));
+}
+
+#[test]
+fn property_a_passing_wheel_warms_the_probe() {
+    let mut bench = Bench::new();
+    bench.start().unwrap();
+    assert_eq!(bench.get("probe[1].surface.rise"), 0.0);
+    bench.steps(0, 50);
+    let (surface, deep) = (bench.get("probe[1].surface.rise"), bench.get("probe[1].depth[2].rise"));
+    assert!(surface > 1.0 && (0.0..1e-3).contains(&deep));
+    assert!(bench.get("probe[1].heat") > 0.0);
+    assert!(bench.get("highest.surface.rise") >= surface);
+    let place = bench.get("highest.surface.chainage");
+    assert!((28.0..=36.4).contains(&place), "{place}");
+    let (stored, imposed) = (bench.get("energy.stored"), bench.get("energy.imposed"));
+    let error = stored - imposed - bench.get("energy.weather");
+    assert!(error.abs() < 1e-10 * imposed);
+}
+
+#[test]
+fn property_the_field_file_holds_the_run() {
+    let mut bench = Bench::new();
+    let path = bench.folder.path().join("rail.zarr");
+    let reference = bench.reference("field_file");
+    bench.instance.set_string(&[reference], [path.to_str().unwrap()]).unwrap();
+    bench.set("field_interval", 0.2);
+    bench.start().unwrap();
+    bench.steps(0, 50);
+    let reader = FieldReader::open(&path).unwrap();
+    let times = reader.times();
+    assert_eq!(times.len(), 3);
+    assert!((times[2] - 0.4).abs() < 1e-12);
+    assert!(reader.at_time(0.0).unwrap().rise.iter().all(|rise| *rise == 0.0));
+    let axes = reader.axes();
+    assert_eq!((axes.chainage.len(), axes.depth.len()), (1000, 34));
+    let snapshot = reader.at_time(0.4).unwrap().rise;
+    let at_probe = snapshot[300 * 34];
+    assert!(at_probe > 1.0, "30.05 m was passed after 0.12 s: {at_probe}");
+}
+
+/// The state goes on bit for bit; the file stays as it is until the run is past its last snapshot.
+#[test]
+fn property_a_restored_run_gives_the_same_and_appends_later() {
+    let mut bench = Bench::new();
+    let path = bench.folder.path().join("rail.zarr");
+    let reference = bench.reference("field_file");
+    bench.instance.set_string(&[reference], [path.to_str().unwrap()]).unwrap();
+    bench.set("field_interval", 0.2);
+    bench.start().unwrap();
+    bench.steps(0, 10);
+    let bytes = bench.instance.save().unwrap().to_bytes();
+    bench.steps(10, 50);
+    let wanted = bench.get("energy.stored");
+    let state = bench.instance.deserialize_state(&bytes).unwrap();
+    bench.instance.restore(&state).unwrap();
+    bench.steps(10, 50);
+    assert_eq!(bench.get("energy.stored"), wanted);
+    assert_eq!(FieldReader::open(&path).unwrap().times().len(), 3);
+    bench.steps(50, 65);
+    assert_eq!(FieldReader::open(&path).unwrap().times().len(), 4);
+}
+
+#[test]
+fn a_wheel_off_the_track_is_told_of_once() {
+    let mut bench = Bench::new();
+    bench.instance.set_debug_logging(true, &[]).unwrap();
+    bench.start().unwrap();
+    bench.step(0.0, 0.01, 15.0).unwrap();
+    bench.step(0.01, 0.01, 15.2).unwrap();
+    let messages = bench.messages.lock().unwrap().clone();
+    let told: Vec<_> = messages.iter().filter(|text| text.contains("outside")).collect();
+    assert_eq!(told.len(), 1, "{messages:?}");
+    for part in ["vehicle[2].wheelset[1]", "-5.0 m", "0 m to 100 m"] {
+        assert!(told[0].contains(part), "{}", told[0]);
+    }
+}
+
+#[test]
+fn wrong_parameters_are_named() {
+    for (name, value, wanted) in [
+        ("conduction.interval", 5.0, "at most"),
+        ("cell.size", 0.0033, "rail.height = 0.17 m and cell.size = 0.0033 m"),
+        ("element.length", 0.0, "element.length = 0: must be greater than zero"),
+        ("track.length", 1e9, "cells, more than"),
+        ("track.length", 30.0, "chainage_m = 30.05: must lie on the modelled track"),
+        ("material.specific_heat", 0.0, "material.specific_heat = 0: must be greater than zero"),
+    ] {
+        let mut bench = Bench::new();
+        bench.set(name, value);
+        let sentence = bench.start().unwrap_err();
+        assert!(sentence.contains(wanted), "{name}: {sentence}");
+    }
+    let mut bench = Bench::new();
+    let reference = bench.reference("model");
+    bench.instance.set_string(&[reference], ["magic"]).unwrap();
+    assert!(bench.start().unwrap_err().contains("model = \"magic\": must be \"paper\""));
+}
+
+#[test]
+fn wrong_inputs_are_named() {
+    for (name, value, wanted) in [
+        ("vehicle[1].wheelset[2].contact.a", 0.0, "contact.a = 0 m"),
+        ("ambient.temperature", 0.0, "ambient.temperature = 0 K"),
+    ] {
+        let mut bench = Bench::new();
+        bench.start().unwrap();
+        bench.step(0.0, 0.01, 50.0).unwrap();
+        bench.set(name, value);
+        let sentence = chain(&bench.instance.do_step(0.01, 0.01).unwrap_err());
+        assert!(sentence.contains(wanted), "{name}: {sentence}");
+    }
+}
+
+#[test]
+fn a_missing_file_of_shape_is_named() {
+    let quiet = Box::new(|_, _: &str| ());
+    let error = Instance::<RailHeat>::new(Path::new("/nowhere"), "rail", quiet).err().unwrap();
+    let sentence = chain(&error);
+    assert!(sentence.contains("/nowhere/railheat.toml"), "{sentence}");
+    assert!(sentence.contains("wheelsets_per_vehicle"), "{sentence}");
+}

@@ -1,0 +1,56 @@
+//! Exchange with the weather.
+
+use railheat::rail::{Level, Rail};
+use railheat::surface::{Surface, Weather};
+
+use crate::common::{exchange, grid};
+
+const ZERO_CELSIUS: f64 = 273.15;
+
+/// Reference §3.4: Table 4 of the paper with air of 15 to 50 °C, and with the unfiltered sun
+/// (five and four digits are given).
+#[test]
+fn analytic_weather_equilibrium() {
+    for (air, filtered, unfiltered) in [
+        (15.0, 60.938, 98.86),
+        (25.0, 69.115, 105.72),
+        (40.0, 81.458, 116.13),
+        (50.0, 89.743, 123.17),
+    ] {
+        let weather = Weather { ambient: air + ZERO_CELSIUS, irradiance: 1366.0 };
+        let found = Surface::PAPER.equilibrium(&weather) - ZERO_CELSIUS;
+        assert!((found - filtered).abs() < 6e-4, "{air} °C: {found} °C");
+        let clear = Surface { filter: 1.0, ..Surface::PAPER };
+        let found = clear.equilibrium(&weather) - ZERO_CELSIUS;
+        assert!((found - unfiltered).abs() < 6e-3, "{air} °C: {found} °C");
+    }
+}
+
+#[test]
+fn property_without_exchange_the_air_gives_the_temperature() {
+    let insulated = Surface { convection: 0.0, emissivity: 0.0, ..Surface::PAPER };
+    let weather = Weather { ambient: 290.0, irradiance: 0.0 };
+    assert_eq!(insulated.equilibrium(&weather), 290.0);
+}
+
+/// From 300 K in the paper's sun at 300 K of air the column tends to the equilibrium, all over
+/// its depth. The slowest time constant is near ρ c L / (h + 4 ε σ T³) = 45 000 s, so that ten of
+/// them leave e⁻¹⁰ of 43 K, 2 mK.
+#[test]
+fn property_the_rail_tends_to_the_equilibrium() {
+    let (cell_size, interval) = (0.0215, 2.0);
+    let grid = grid(cell_size, 1);
+    let weather = Weather { ambient: 300.0, irradiance: 1366.0 };
+    let exchange = exchange(&Surface::PAPER, &weather, interval, cell_size);
+    let number =
+        railheat::column::fourier_number(&railheat::material::Material::PAPER, interval, cell_size)
+            .unwrap();
+    let mut rail = Rail::new(&grid);
+    for _ in 0..225_000 {
+        rail.step(&grid, &exchange, number);
+    }
+    let wanted = Surface::PAPER.equilibrium(&weather) - 300.0;
+    for level in [Level::SURFACE, Level::foot(&grid)] {
+        assert!((rail.rise(0, &level) - wanted).abs() < 5e-3);
+    }
+}

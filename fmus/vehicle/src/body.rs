@@ -1,0 +1,150 @@
+//! A rigid body in its track-following frame.
+
+use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+
+use crate::frame::{Frame, Placement};
+
+/// What a body is, constant.
+#[derive(Clone, Debug)]
+pub struct RigidBody {
+    /// Name in the vehicle file.
+    pub name: String,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Moments of inertia about x, y, z, kg m².
+    pub inertia: Vector3<f64>,
+    /// Distance ahead of the vehicle's middle, m.
+    pub along: f64,
+    /// Height of the centre of mass above the rails, m.
+    pub height: f64,
+    /// Whether it turns about y with the wheels.
+    pub turns: bool,
+}
+
+/// Where a body is and how it moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BodyState {
+    /// Chainage, and displacement to the right and down from the place at rest, m.
+    pub position: Vector3<f64>,
+    /// Roll, pitch and yaw against the track, rad; a wheelset has no pitch.
+    pub rotation: Vector3<f64>,
+    /// Velocity of the centre of mass, absolute, in the frame's directions, m/s.
+    pub velocity: Vector3<f64>,
+    /// Angular velocity, absolute, in the frame's directions, rad/s.
+    pub angular_velocity: Vector3<f64>,
+}
+
+/// Force and moment about the centre of mass, N and N m.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wrench {
+    /// Force.
+    pub force: Vector3<f64>,
+    /// Moment.
+    pub moment: Vector3<f64>,
+}
+
+/// A body as seen in the vehicle's common frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seen {
+    /// Centre of mass less its place at rest on straight track, m.
+    pub displacement: Vector3<f64>,
+    /// Rotation, rad.
+    pub rotation: Vector3<f64>,
+    /// Velocity, m/s.
+    pub velocity: Vector3<f64>,
+    /// Angular velocity, rad/s; of a wheelset without its turning.
+    pub angular_velocity: Vector3<f64>,
+}
+
+/// Rates of a body's coordinates.
+#[derive(Clone, Copy, Debug)]
+pub struct Rates {
+    /// Of [`BodyState::position`], m/s.
+    pub position: Vector3<f64>,
+    /// Of [`BodyState::rotation`], rad/s.
+    pub rotation: Vector3<f64>,
+}
+
+impl BodyState {
+    /// Speed of the body's frame along the track, m/s (eq. 2).
+    #[inline]
+    pub fn frame_speed(&self, body: &RigidBody, frame: &Frame) -> f64 {
+        let below = self.position.z - body.height;
+        self.velocity.x / (1.0 + frame.rotation.y * below)
+    }
+
+    /// Rates of the coordinates: absolute velocities less those of the frame (eq. 2).
+    #[inline]
+    pub fn rates(&self, body: &RigidBody, frame: &Frame) -> Rates {
+        let speed = self.frame_speed(body, frame);
+        let turning = frame.rotation * speed;
+        let below = self.position.z - body.height;
+        let mut rotation = self.angular_velocity - turning;
+        if body.turns {
+            rotation.y = 0.0;
+        }
+        Rates {
+            position: Vector3::new(
+                speed,
+                self.velocity.y + turning.x * below,
+                self.velocity.z - turning.x * self.position.y,
+            ),
+            rotation,
+        }
+    }
+
+    /// Gravity and the inertia forces of the moving frame (eqs 3 to 5).
+    #[inline]
+    pub fn frame_forces(&self, body: &RigidBody, frame: &Frame) -> Wrench {
+        let turning = frame.rotation * self.frame_speed(body, frame);
+        let force = body.mass * (frame.gravity - turning.cross(&self.velocity));
+        // The axes of a wheelset do not turn with the wheels.
+        let axes = Vector3::new(
+            self.angular_velocity.x,
+            if body.turns { turning.y } else { self.angular_velocity.y },
+            self.angular_velocity.z,
+        );
+        let momentum = body.inertia.component_mul(&self.angular_velocity);
+        Wrench { force, moment: -axes.cross(&momentum) }
+    }
+
+    /// The body in the common frame, in which its own frame has this placement (eqs 8, 9).
+    #[inline]
+    pub fn seen(&self, body: &RigidBody, frame: &Frame, placement: &Placement) -> Seen {
+        let at_rest = Vector3::new(body.along, 0.0, -body.height);
+        let local = Vector3::new(0.0, self.position.y, self.position.z - body.height);
+        let mut angular_velocity = self.angular_velocity;
+        if body.turns {
+            angular_velocity.y = frame.rotation.y * self.velocity.x;
+        }
+        Seen {
+            displacement: placement.offset + placement.out(&local) - at_rest,
+            rotation: self.rotation + placement.turn,
+            velocity: placement.out(&self.velocity),
+            angular_velocity: placement.out(&angular_velocity),
+        }
+    }
+
+    /// Kinetic energy, J.
+    pub fn kinetic_energy(&self, body: &RigidBody) -> f64 {
+        let squares = self.angular_velocity.component_mul(&self.angular_velocity);
+        0.5 * (body.mass * self.velocity.norm_squared() + body.inertia.dot(&squares))
+    }
+
+    /// Potential energy in gravity, J, against a body at rest at elevation zero.
+    pub fn gravity_energy(&self, body: &RigidBody, frame: &Frame) -> f64 {
+        let below = self.position.z - body.height;
+        let across = self.position.y * frame.gravity.y + below * frame.gravity.z;
+        body.mass * (crate::frame::GRAVITY * (frame.track.elevation - body.height) - across)
+    }
+}
+
+impl Wrench {
+    /// Adds a force at a point given from the centre of mass.
+    #[inline]
+    pub fn add(&mut self, force: &Vector3<f64>, arm: &Vector3<f64>) {
+        self.force += force;
+        self.moment += arm.cross(force);
+    }
+}

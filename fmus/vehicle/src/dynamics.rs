@@ -1,0 +1,267 @@
+//! The vehicle in motion: its state, and one step.
+//!
+//! A step of length h moves the coordinates by half of it, changes the velocities with the forces
+//! there, and moves the coordinates by the other half (Störmer and Verlet's scheme: second order
+//! in the springs, and it neither feeds nor eats energy). Contact friction and damping, and the
+//! brake, count with the velocities at the end of the step (`wheelset.rs`).
+
+use std::sync::Arc;
+
+use contact::Polach;
+use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+use track::Track;
+
+use crate::body::{BodyState, Seen, Wrench};
+use crate::drive::Drive;
+use crate::energy::{Account, Stored};
+use crate::frame::{Frame, Placement};
+use crate::inputs::Inputs;
+use crate::structure::Structure;
+use crate::suspension::ElementEnergy;
+use crate::wheelset::{WheelOutput, WheelsetStep};
+
+/// All that changes in a step.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// Bodies in the structure's order.
+    pub bodies: Vec<BodyState>,
+    /// Force of each damper on its second body, N.
+    pub damper_forces: Vec<f64>,
+    /// Work and heat since the start.
+    pub account: Account,
+}
+
+/// A vehicle on a track.
+#[derive(Clone, Debug)]
+pub struct Dynamics {
+    /// What the vehicle is.
+    pub structure: Arc<Structure>,
+    /// Where it runs.
+    pub track: Arc<Track>,
+    /// Where it is and how it moves.
+    pub state: State,
+    /// Wheels of each wheelset, left and right, at the end of the last step.
+    pub wheels: Vec<[WheelOutput; 2]>,
+    /// Acceleration of the first body along the track in the last step, m/s².
+    pub acceleration: f64,
+    pub(crate) frames: Vec<Frame>,
+    pub(crate) decay: Vec<f64>,
+    elements: ElementEnergy,
+    step: f64,
+    placements: Vec<Placement>,
+    seen: Vec<Seen>,
+    wrenches: Vec<Wrench>,
+    track_index: usize,
+}
+
+impl Dynamics {
+    /// A vehicle whose bodies stand at the beginning of the track until it is placed.
+    pub fn new(structure: Arc<Structure>, track: Arc<Track>) -> Self {
+        let bodies = structure.bodies.len();
+        let dampers = structure.suspension.dampers.len();
+        Self {
+            state: State {
+                bodies: vec![BodyState::default(); bodies],
+                damper_forces: vec![0.0; dampers],
+                account: Account::default(),
+            },
+            wheels: vec![Default::default(); structure.wheelsets.len()],
+            acceleration: 0.0,
+            frames: vec![Frame::default(); bodies],
+            decay: vec![0.0; dampers],
+            elements: ElementEnergy::default(),
+            step: 0.0,
+            placements: vec![Placement::default(); bodies],
+            seen: vec![Seen::default(); bodies],
+            wrenches: vec![Wrench::default(); bodies],
+            track_index: 0,
+            structure,
+            track,
+        }
+    }
+
+    /// Takes the vehicle `step` seconds further.
+    pub fn step(&mut self, step: f64, inputs: &Inputs) {
+        self.prepare(step);
+        self.locate();
+        self.drift(0.5 * step, 0.0);
+        self.locate();
+        self.kick(step, inputs);
+        self.drift(0.5 * step, 0.0);
+    }
+
+    /// Chainage of the vehicle's middle, m.
+    pub fn position(&self) -> f64 {
+        self.state.bodies[0].position.x - self.structure.bodies[0].along
+    }
+
+    /// Speed of the first body along the track, m/s.
+    pub fn velocity(&self) -> f64 {
+        self.state.bodies[0].velocity.x
+    }
+
+    /// Energy in the vehicle now; the elastic part belongs to the middle of the last step.
+    pub fn stored_energy(&self) -> Stored {
+        let mut stored = Stored { elastic: self.elements.stored, ..Stored::default() };
+        for wheel in self.wheels.iter().flatten() {
+            stored.elastic += wheel.elastic_energy;
+        }
+        let mut index = self.track_index;
+        for (state, body) in self.state.bodies.iter().zip(&self.structure.bodies) {
+            let frame = Frame::new(self.track.at(state.position.x, &mut index));
+            stored.kinetic += state.kinetic_energy(body);
+            stored.gravity += state.gravity_energy(body, &frame);
+        }
+        stored
+    }
+
+    /// Constants that depend on the length of the step.
+    pub(crate) fn prepare(&mut self, step: f64) {
+        if step == self.step {
+            return;
+        }
+        self.step = step;
+        let dampers = &self.structure.suspension.dampers;
+        for (decay, damper) in self.decay.iter_mut().zip(dampers) {
+            *decay = damper.decay(step);
+        }
+    }
+
+    /// Lets the next step prepare its constants anew.
+    pub(crate) fn forget_step(&mut self) {
+        self.step = 0.0;
+    }
+
+    /// The track under every body.
+    pub(crate) fn locate(&mut self) {
+        for (frame, state) in self.frames.iter_mut().zip(&self.state.bodies) {
+            *frame = Frame::new(self.track.at(state.position.x, &mut self.track_index));
+        }
+    }
+
+    /// Moves the coordinates with the velocities, in a frame that itself runs at `speed`.
+    pub(crate) fn drift(&mut self, step: f64, speed: f64) {
+        let bodies = self.structure.bodies.iter().zip(&self.frames);
+        for (state, (body, frame)) in self.state.bodies.iter_mut().zip(bodies) {
+            let mut rates = state.rates(body, frame);
+            rates.position.x -= speed;
+            state.position += step * rates.position;
+            state.rotation += step * rates.rotation;
+        }
+    }
+
+    /// Changes the velocities by the forces of a step.
+    pub(crate) fn kick(&mut self, step: f64, inputs: &Inputs) {
+        self.suspend();
+        self.add_outer_forces(inputs, step);
+        let before = self.velocity();
+        self.roll(step, inputs);
+        for (i, body) in self.structure.bodies.iter().enumerate() {
+            if !body.turns {
+                let (state, wrench) = (&mut self.state.bodies[i], &self.wrenches[i]);
+                state.velocity += wrench.force * (step / body.mass);
+                state.angular_velocity += step * wrench.moment.component_div(&body.inertia);
+            }
+        }
+        self.account_outer_forces(inputs, step, before);
+        self.acceleration = (self.velocity() - before) / step;
+    }
+
+    /// Forces of the suspension, weight and moving frames, each in its body's frame.
+    fn suspend(&mut self) {
+        let structure = &*self.structure;
+        let origin = self.frames[0];
+        let start = self.state.bodies[0].position.x;
+        for (i, body) in structure.bodies.iter().enumerate() {
+            let state = &self.state.bodies[i];
+            let placement = origin.placement(&self.frames[i], state.position.x - start);
+            self.seen[i] = state.seen(body, &self.frames[i], &placement);
+            self.placements[i] = placement;
+        }
+        self.wrenches.fill(Wrench::default());
+        self.elements = structure.suspension.apply(
+            &self.seen,
+            &mut self.state.damper_forces,
+            &self.decay,
+            &mut self.wrenches,
+        );
+        for (i, body) in structure.bodies.iter().enumerate() {
+            let (wrench, placement) = (&mut self.wrenches[i], &self.placements[i]);
+            let own = self.state.bodies[i].frame_forces(body, &self.frames[i]);
+            wrench.force = placement.back(&wrench.force) + own.force;
+            wrench.moment = placement.back(&wrench.moment) + own.moment;
+            if body.turns {
+                // Axle boxes do not turn with the wheels.
+                wrench.moment.y = own.moment.y;
+            }
+        }
+    }
+
+    /// Couplers, resistance and synchronisation on the first body. A coupler pulls along the track
+    /// where it is, which is towards the inside of a curve (eq. 26).
+    fn add_outer_forces(&mut self, inputs: &Inputs, step: f64) {
+        let wrench = &mut self.wrenches[0];
+        wrench.force.x += inputs.resistance + inputs.synchronisation;
+        self.state.account.suspension_heat += step * self.elements.dissipated;
+        for (i, force) in self.coupler_forces(inputs).into_iter().enumerate() {
+            self.wrenches[0].add(&force, &self.structure.couplers[i]);
+        }
+    }
+
+    /// Forces of front and rear coupler in the first body's frame.
+    fn coupler_forces(&mut self, inputs: &Inputs) -> [Vector3<f64>; 2] {
+        let pulls = [inputs.front_coupler, -inputs.rear_coupler];
+        let here = self.state.bodies[0].position.x;
+        [0, 1].map(|i| {
+            if pulls[i] == 0.0 {
+                return Vector3::zeros();
+            }
+            let ahead = self.structure.couplers[i].x;
+            let there = Frame::new(self.track.at(here + ahead, &mut self.track_index));
+            let turn = self.frames[0].placement(&there, ahead).turn;
+            pulls[i] * Vector3::new(1.0, turn.z, -turn.y)
+        })
+    }
+
+    /// The wheelsets, and the reaction of their drives.
+    fn roll(&mut self, step: f64, inputs: &Inputs) {
+        let structure = &*self.structure;
+        let mut creep: Polach = structure.creep;
+        creep.friction.static_coefficient = inputs.friction;
+        for (i, data) in structure.wheelsets.iter().enumerate() {
+            let drive = Drive {
+                torque: -inputs.traction * data.traction_share * data.wheel.radius,
+                brake: inputs.brake.max(0.0) * data.brake_share * data.wheel.radius,
+                carrier: self.state.bodies[data.frame].angular_velocity.y,
+            };
+            let wheelset = WheelsetStep {
+                data,
+                body: &structure.bodies[data.body],
+                frame: &self.frames[data.body],
+                creep: &creep,
+                wrench: self.wrenches[data.body],
+                drive,
+                step,
+            };
+            let (wheels, brake) =
+                wheelset.run(&mut self.state.bodies[data.body], &mut self.state.account);
+            self.wheels[i] = wheels;
+            self.wrenches[data.frame].moment.y -= drive.torque + brake;
+        }
+    }
+
+    fn account_outer_forces(&mut self, inputs: &Inputs, step: f64, before: f64) {
+        let way = 0.5 * step * (before + self.velocity());
+        let turned = step * self.state.bodies[0].angular_velocity;
+        let moved = step * self.state.bodies[0].velocity;
+        let mut couplers = 0.0;
+        for (i, force) in self.coupler_forces(inputs).iter().enumerate() {
+            couplers += force.dot(&(moved + turned.cross(&self.structure.couplers[i])));
+        }
+        let account = &mut self.state.account;
+        account.couplers += couplers;
+        account.resistance += way * inputs.resistance;
+        account.synchronisation += way * inputs.synchronisation;
+    }
+}

@@ -1,0 +1,227 @@
+//! The model as an FMU.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
+use stock::Library;
+use track::Track;
+
+use crate::dynamics::{Dynamics, State};
+use crate::inputs::Inputs;
+use crate::signals::Signals;
+use crate::structure::{Structure, multibody};
+
+/// Longest step of the integration, s; longer intervals are divided into equal steps.
+pub const LONGEST_STEP: f64 = 1e-3;
+
+/// A railway vehicle in three dimensions.
+pub struct Vehicle {
+    dynamics: Dynamics,
+}
+
+impl Model for Vehicle {
+    const IDENTITY: Identity = Identity {
+        name: "Hotfoot vehicle",
+        identifier: "vehicle",
+        description: "One railway vehicle in three dimensions: bodies on springs and dampers, and \
+                      the contact of every wheel with its rail",
+        default_step: LONGEST_STEP,
+    };
+
+    type Signals = Signals;
+    type State = State;
+
+    fn declare(resources: &Path, declaration: &mut Declaration) -> Result<Signals, ModelError> {
+        let vehicle = read_vehicle(resources, "")?;
+        let multibody = multibody(&vehicle).map_err(ModelError::from_error)?;
+        let bogies = multibody.body.len() - 1;
+        let friction = multibody.contact.creep.friction;
+        Ok(Signals::declare(declaration, multibody.wheelset.len(), bogies, friction))
+    }
+
+    fn initialize(
+        signals: &Signals,
+        values: &mut Values,
+        resources: &Path,
+        _start_time: f64,
+        log: &mut Log,
+    ) -> Result<Self, ModelError> {
+        let vehicle = read_vehicle(resources, &values[signals.vehicle_file])?;
+        let structure = Structure::new(&vehicle).map_err(ModelError::from_error)?;
+        check_shape(&structure, signals, &vehicle.name)?;
+        let track_file = file(resources, &values[signals.track_file], "track.toml");
+        let track = Track::from_file(&track_file).map_err(ModelError::from_error)?;
+        let inputs = checked(signals.read(values))?;
+        let position = finite("initial.position", values[signals.initial_position])?;
+        let velocity = finite("initial.velocity", values[signals.initial_velocity])?;
+
+        let mut dynamics = Dynamics::new(Arc::new(structure), Arc::new(track));
+        let equilibrium = dynamics.start(position, velocity, &inputs);
+        if !equilibrium.reached {
+            log.warning(format!(
+                "the vehicle does not start in equilibrium at {position} m and {velocity} m/s: \
+                 an acceleration of {:.2e} m/s2 is left",
+                equilibrium.residual
+            ));
+        }
+        let vehicle = Self { dynamics };
+        vehicle.check_on_track()?;
+        vehicle.write_outputs(signals, values);
+        Ok(vehicle)
+    }
+
+    fn step(
+        &mut self,
+        signals: &Signals,
+        values: &mut Values,
+        interval: Interval,
+        _log: &mut Log,
+    ) -> Result<(), ModelError> {
+        let inputs = checked(signals.read(values))?;
+        let steps = steps(interval.length);
+        for _ in 0..steps {
+            self.dynamics.step(interval.length / f64::from(steps), &inputs);
+        }
+        self.check_on_track()?;
+        self.write_outputs(signals, values);
+        Ok(())
+    }
+
+    fn state(&self) -> &State {
+        &self.dynamics.state
+    }
+
+    fn restore(&mut self, state: State) {
+        self.dynamics.state = state;
+    }
+}
+
+impl Vehicle {
+    /// A wheel that has left the profiles is the end of the run.
+    fn check_on_track(&self) -> Result<(), ModelError> {
+        let dynamics = &self.dynamics;
+        let derailed = |wheels: &&[crate::wheelset::WheelOutput; 2]| {
+            wheels.iter().any(|wheel| wheel.derailed || wheel.normal.is_nan())
+        };
+        match dynamics.wheels.iter().position(|wheels| derailed(&wheels)) {
+            None => Ok(()),
+            Some(i) => Err(ModelError::new(format!(
+                "wheelset[{}] has left the rails at chainage {:.2} m and {:.2} m/s",
+                i + 1,
+                dynamics.position(),
+                dynamics.velocity()
+            ))),
+        }
+    }
+
+    fn write_outputs(&self, signals: &Signals, values: &mut Values) {
+        let dynamics = &self.dynamics;
+        values[signals.position] = dynamics.position();
+        values[signals.velocity] = dynamics.velocity();
+        values[signals.acceleration] = dynamics.acceleration;
+        let wheelsets = dynamics.structure.wheelsets.iter().zip(&dynamics.wheels);
+        for (handles, (data, wheels)) in signals.wheelsets.iter().zip(wheelsets) {
+            let state = &dynamics.state.bodies[data.body];
+            values[handles.position] = state.position.x;
+            values[handles.speed] = state.velocity.x;
+            for (handles, wheel) in handles.wheels.iter().zip(wheels) {
+                values[handles.creepage[0]] = wheel.creepages.longitudinal;
+                values[handles.creepage[1]] = wheel.creepages.lateral;
+                values[handles.creepage[2]] = wheel.creepages.spin;
+                values[handles.longitudinal] = wheel.longitudinal;
+                values[handles.lateral] = wheel.lateral;
+                values[handles.normal] = wheel.normal;
+                values[handles.friction_power] = wheel.friction_power;
+                values[handles.a] = wheel.a;
+                values[handles.b] = wheel.b;
+                values[handles.rail_lateral] = wheel.rail_lateral;
+            }
+        }
+        for (handles, state) in signals.bodies.iter().zip(&dynamics.state.bodies) {
+            values[handles.lateral] = state.position.y;
+            values[handles.vertical] = state.position.z;
+            values[handles.roll] = state.rotation.x;
+            values[handles.pitch] = state.rotation.y;
+            values[handles.yaw] = state.rotation.z;
+        }
+        self.write_energy(signals, values);
+    }
+
+    fn write_energy(&self, signals: &Signals, values: &mut Values) {
+        let (handles, account) = (&signals.energy, &self.dynamics.state.account);
+        let stored = self.dynamics.stored_energy();
+        values[handles.kinetic] = stored.kinetic;
+        values[handles.elastic] = stored.elastic;
+        values[handles.gravity] = stored.gravity;
+        values[handles.couplers] = account.couplers;
+        values[handles.traction] = account.traction;
+        values[handles.resistance] = account.resistance;
+        values[handles.synchronisation] = account.synchronisation;
+        values[handles.brake_heat] = account.brake_heat;
+        values[handles.suspension_heat] = account.suspension_heat;
+        values[handles.friction_heat] = account.friction_heat;
+        values[handles.contact_heat] = account.contact_heat;
+    }
+}
+
+/// Number of equal steps in an interval, each at most [`LONGEST_STEP`] long.
+fn steps(length: f64) -> u32 {
+    // An interval of 1 ms computed from two times may be longer by rounding.
+    (length / LONGEST_STEP - 1e-6).ceil().max(1.0) as u32
+}
+
+/// The file a parameter names; empty: the file of this name in the FMU's resources.
+fn file(resources: &Path, parameter: &str, default: &str) -> PathBuf {
+    match parameter.is_empty() {
+        true => resources.join(default),
+        false => PathBuf::from(parameter),
+    }
+}
+
+fn read_vehicle(resources: &Path, parameter: &str) -> Result<stock::Vehicle, ModelError> {
+    let file = file(resources, parameter, "vehicle.toml");
+    let library = Library::of(&file).map_err(ModelError::from_error)?;
+    library.vehicle_from_file(&file).map_err(ModelError::from_error)
+}
+
+/// Another vehicle file must not change the interface.
+fn check_shape(structure: &Structure, signals: &Signals, name: &str) -> Result<(), ModelError> {
+    let (wheelsets, declared) = (structure.wheelsets.len(), signals.wheelsets.len());
+    let (bodies, shown) = (structure.bodies.len() - wheelsets, signals.bodies.len());
+    match wheelsets == declared && bodies == shown {
+        true => Ok(()),
+        false => Err(ModelError::new(format!(
+            "vehicle_file: vehicle \"{name}\" has {wheelsets} wheelsets and {bodies} bodies, but \
+             this FMU was made for {declared} and {shown}; pack an FMU for that vehicle"
+        ))),
+    }
+}
+
+/// The inputs, if they are possible.
+fn checked(inputs: Inputs) -> Result<Inputs, ModelError> {
+    finite("coupler.front.force", inputs.front_coupler)?;
+    finite("coupler.rear.force", inputs.rear_coupler)?;
+    finite("resistance.force", inputs.resistance)?;
+    finite("traction.force", inputs.traction)?;
+    finite("sync.force", inputs.synchronisation)?;
+    within("brake.force", inputs.brake, 0.0, f64::MAX)?;
+    within("friction.coefficient", inputs.friction, 0.01, 1.0)?;
+    Ok(inputs)
+}
+
+fn finite(name: &str, value: f64) -> Result<f64, ModelError> {
+    within(name, value, -f64::MAX, f64::MAX)
+}
+
+fn within(name: &str, value: f64, low: f64, high: f64) -> Result<f64, ModelError> {
+    let wanted = match (low == -f64::MAX, high == f64::MAX) {
+        (true, _) => "must be a finite number".to_owned(),
+        (_, true) => format!("must be a finite number not below {low}"),
+        _ => format!("must lie between {low} and {high}"),
+    };
+    match (low..=high).contains(&value) {
+        true => Ok(value),
+        false => Err(ModelError::new(format!("{name} = {value}: {wanted}"))),
+    }
+}

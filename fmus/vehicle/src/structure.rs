@@ -1,0 +1,249 @@
+//! A vehicle file compiled into flat arrays: bodies, wheelsets and elements by index.
+
+use std::sync::Arc;
+
+use contact::{ContactError, FallingFriction, GeometryTable, Polach, ProfilePair};
+use contact::{RailProfile, WheelProfile};
+use nalgebra::Vector3;
+use stock::{Direction, Multibody};
+
+use crate::body::RigidBody;
+use crate::statics;
+use crate::suspension::Suspension;
+use crate::suspension::damper::Damper;
+use crate::suspension::ends::Ends;
+use crate::suspension::spring::Spring;
+use crate::suspension::stop::Stop;
+use crate::wheel::WheelData;
+
+/// Why a vehicle file gives no vehicle.
+#[derive(Debug, thiserror::Error)]
+pub enum StructureError {
+    /// It has only longitudinal data.
+    #[error("vehicle \"{vehicle}\" has no section [multibody], which the 3D vehicle model needs")]
+    NoMultibody {
+        /// Name of the vehicle.
+        vehicle: String,
+    },
+    /// Wheel and rail do not go together.
+    #[error("vehicle \"{vehicle}\", section [multibody.contact]: {source}")]
+    Contact {
+        /// Name of the vehicle.
+        vehicle: String,
+        /// Reason.
+        source: ContactError,
+    },
+    /// A body can move without any spring holding it.
+    #[error(
+        "vehicle \"{vehicle}\", section [multibody]: the springs do not hold every body against \
+         the wheelsets in all directions"
+    )]
+    Loose {
+        /// Name of the vehicle.
+        vehicle: String,
+    },
+}
+
+/// What a vehicle is: everything that does not change in a run, except the friction coefficient.
+#[derive(Clone, Debug)]
+pub struct Structure {
+    /// Car body, bogie frames, then wheelsets.
+    pub bodies: Vec<RigidBody>,
+    /// Wheelsets from front to rear.
+    pub wheelsets: Vec<WheelsetData>,
+    /// Force elements.
+    pub suspension: Suspension,
+    /// Creep law.
+    pub creep: Polach,
+    /// Couplers' arms from the first body's centre of mass: front, rear, m.
+    pub couplers: [Vector3<f64>; 2],
+}
+
+/// A wheelset with its two wheels and its drive.
+#[derive(Clone, Debug)]
+pub struct WheelsetData {
+    /// Index of its body.
+    pub body: usize,
+    /// Index of the body on which drive and brake react.
+    pub frame: usize,
+    /// Its wheels.
+    pub wheel: WheelData,
+    /// Contact geometry of its wheels on the rails.
+    pub table: Arc<GeometryTable>,
+    /// Share of the vehicle's traction force.
+    pub traction_share: f64,
+    /// Share of the vehicle's brake force.
+    pub brake_share: f64,
+}
+
+impl Structure {
+    /// Compiles a vehicle of the stock library.
+    ///
+    /// # Errors
+    /// When the vehicle has no multibody section or its parts do not fit each other.
+    pub fn new(vehicle: &stock::Vehicle) -> Result<Self, StructureError> {
+        let name = || vehicle.name.clone();
+        let multibody = multibody(vehicle)?;
+        let bodies = bodies(multibody);
+        let wheelsets = wheelsets(multibody, &bodies)
+            .map_err(|source| StructureError::Contact { vehicle: name(), source })?;
+        let car = &bodies[0];
+        let coupler = |end: f64| {
+            let height = multibody.coupler.height_m;
+            Vector3::new(end - car.along, 0.0, car.height - height)
+        };
+        let half = 0.5 * vehicle.length_m;
+        let mut structure = Self {
+            couplers: [coupler(half), coupler(-half)],
+            suspension: suspension(multibody, &bodies),
+            creep: creep(&multibody.contact.creep),
+            bodies,
+            wheelsets,
+        };
+        statics::preload(&mut structure)
+            .ok_or_else(|| StructureError::Loose { vehicle: name() })?;
+        Ok(structure)
+    }
+
+    /// Sum of all masses, kg.
+    pub fn mass(&self) -> f64 {
+        self.bodies.iter().map(|body| body.mass).sum()
+    }
+}
+
+/// The section of a vehicle file that this model needs.
+///
+/// # Errors
+/// When the vehicle has none.
+pub fn multibody(vehicle: &stock::Vehicle) -> Result<&Multibody, StructureError> {
+    let section = vehicle.multibody.as_ref();
+    section.ok_or_else(|| StructureError::NoMultibody { vehicle: vehicle.name.clone() })
+}
+
+fn bodies(multibody: &Multibody) -> Vec<RigidBody> {
+    let bodies = multibody.body.iter().map(|body| RigidBody {
+        name: body.name.clone(),
+        mass: body.mass_kg,
+        inertia: body.inertia_kg_m2.into(),
+        along: body.x_m,
+        height: body.height_m,
+        turns: false,
+    });
+    let wheelsets = multibody.wheelset.iter().map(|wheelset| RigidBody {
+        name: wheelset.name.clone(),
+        mass: wheelset.mass_kg,
+        inertia: wheelset.inertia_kg_m2.into(),
+        along: wheelset.x_m,
+        height: wheelset.wheel_radius_m,
+        turns: true,
+    });
+    bodies.chain(wheelsets).collect()
+}
+
+fn wheelsets(
+    multibody: &Multibody,
+    bodies: &[RigidBody],
+) -> Result<Vec<WheelsetData>, ContactError> {
+    let contact = &multibody.contact;
+    let powered = multibody.wheelset.iter().filter(|w| w.powered).count();
+    let count = multibody.wheelset.len();
+    let mut wheelsets = Vec::with_capacity(count);
+    for wheelset in &multibody.wheelset {
+        let pair = ProfilePair {
+            wheel: WheelProfile::named(&contact.wheel)?,
+            rail: RailProfile::named(&contact.rail)?,
+            rail_inclination: contact.rail_inclination,
+            gauge: contact.gauge_mm * 1e-3,
+            flange_back_distance: contact.flange_back_distance_mm * 1e-3,
+            nominal_radius: wheelset.wheel_radius_m,
+        };
+        wheelsets.push(WheelsetData {
+            body: index(bodies, &wheelset.name),
+            frame: index(bodies, &wheelset.frame),
+            wheel: WheelData {
+                radius: wheelset.wheel_radius_m,
+                half_distance: pair.running_circle(),
+                damping: contact.damping_s_m,
+            },
+            table: GeometryTable::shared(&pair)?,
+            traction_share: if wheelset.powered { 1.0 / powered as f64 } else { 0.0 },
+            brake_share: 1.0 / count as f64,
+        });
+    }
+    Ok(wheelsets)
+}
+
+fn suspension(multibody: &Multibody, bodies: &[RigidBody]) -> Suspension {
+    let mut suspension = Suspension::default();
+    for spring in &multibody.spring {
+        for ends in all_ends(bodies, &spring.between, &spring.points_m) {
+            suspension.springs.push(Spring {
+                ends,
+                stiffness: spring.stiffness_n_m.into(),
+                damping: spring.damping_n_s_m.into(),
+                preload: Vector3::zeros(),
+            });
+        }
+    }
+    for damper in &multibody.damper {
+        for ends in all_ends(bodies, &damper.between, &damper.points_m) {
+            suspension.dampers.push(Damper {
+                ends,
+                axis: axis(damper.direction),
+                damping: damper.damping_n_s_m,
+                series_stiffness: damper.series_stiffness_n_m.unwrap_or(f64::INFINITY),
+                blow_off: damper.blow_off_n.unwrap_or(f64::INFINITY),
+            });
+        }
+    }
+    for stop in &multibody.stop {
+        for ends in all_ends(bodies, &stop.between, &stop.points_m) {
+            suspension.stops.push(Stop {
+                ends,
+                axis: axis(stop.direction),
+                free_play: stop.free_play_mm * 1e-3,
+                stiffness: stop.stiffness_n_m,
+            });
+        }
+    }
+    suspension
+}
+
+fn creep(creep: &stock::CreepLaw) -> Polach {
+    Polach {
+        adhesion_factor: creep.adhesion_factor,
+        slip_factor: creep.slip_factor,
+        friction: FallingFriction {
+            static_coefficient: creep.friction,
+            limit_ratio: creep.limit_ratio,
+            decay: creep.decay_s_m,
+        },
+    }
+}
+
+/// The ends of elements between two bodies, one for each point.
+fn all_ends<'a>(
+    bodies: &'a [RigidBody],
+    between: &[String; 2],
+    points: &'a [[f64; 3]],
+) -> impl Iterator<Item = Ends> + use<'a> {
+    let indices = between.each_ref().map(|name| index(bodies, name));
+    points.iter().map(move |&[x, y, height]| Ends {
+        bodies: indices,
+        arms: indices.map(|i| Vector3::new(x - bodies[i].along, y, bodies[i].height - height)),
+    })
+}
+
+/// Place of the body with this name; the stock library has checked that there is one.
+fn index(bodies: &[RigidBody], name: &str) -> usize {
+    let found = bodies.iter().position(|body| body.name == name);
+    found.expect("the stock library checks the names of bodies")
+}
+
+fn axis(direction: Direction) -> usize {
+    match direction {
+        Direction::Longitudinal => 0,
+        Direction::Lateral => 1,
+        Direction::Vertical => 2,
+    }
+}

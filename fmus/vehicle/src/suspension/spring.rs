@@ -1,0 +1,33 @@
+//! Spring with parallel damping: F = F0 - K u - C du/dt (eq. 12).
+
+use nalgebra::Vector3;
+
+use super::ElementEnergy;
+use super::ends::Ends;
+use crate::body::{Seen, Wrench};
+
+/// A spring without length between two bodies, with its own stiffness and damping in x, y, z.
+#[derive(Clone, Debug)]
+pub struct Spring {
+    /// Bodies and points.
+    pub ends: Ends,
+    /// Stiffness K, N/m.
+    pub stiffness: Vector3<f64>,
+    /// Damping C, N s/m.
+    pub damping: Vector3<f64>,
+    /// Force F0 on the second body while the vehicle stands on straight level track, N.
+    pub preload: Vector3<f64>,
+}
+
+impl Spring {
+    /// Adds the forces on both bodies.
+    #[inline]
+    pub fn apply(&self, seen: &[Seen], wrenches: &mut [Wrench], energy: &mut ElementEnergy) {
+        let stretch = self.ends.stretch(seen);
+        let elastic = self.stiffness.component_mul(&stretch.length);
+        let viscous = self.damping.component_mul(&stretch.rate);
+        self.ends.apply(&stretch, &(self.preload - elastic - viscous), wrenches);
+        energy.stored += stretch.length.dot(&(0.5 * elastic - self.preload));
+        energy.dissipated += stretch.rate.dot(&viscous);
+    }
+}

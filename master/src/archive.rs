@@ -1,0 +1,202 @@
+//! FMU files: zip archives, unpacked with distrust and packed with care (FMI 2.0 §2.3).
+
+use std::fs;
+use std::io::{self, Read, Write};
+use std::path::{Component, Path, PathBuf};
+
+use zip::write::SimpleFileOptions;
+
+/// Largest total size that an FMU may unpack to, bytes.
+const MAX_UNPACKED: u64 = 2 << 30;
+
+/// Largest number of files in an FMU.
+const MAX_FILES: usize = 100_000;
+
+/// Why an archive cannot be unpacked or packed.
+#[derive(Debug, thiserror::Error)]
+pub enum ArchiveError {
+    /// A file cannot be read or written.
+    #[error("{path}: {source}")]
+    Io {
+        /// Path concerned.
+        path: String,
+        /// Reason.
+        source: io::Error,
+    },
+    /// Not a zip archive, or damaged.
+    #[error("{path} is not a usable FMU: {source}; an FMU is a zip archive")]
+    Damaged {
+        /// Archive.
+        path: String,
+        /// Reason.
+        source: zip::result::ZipError,
+    },
+    /// An entry would be written outside of the folder, or is a link.
+    #[error("{path}: entry '{entry}' {reason}; the FMU is refused")]
+    Unsafe {
+        /// Archive.
+        path: String,
+        /// Name of the entry.
+        entry: String,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+    /// Too large.
+    #[error("{path} unpacks to more than {} MiB or {MAX_FILES} files; the FMU is refused", MAX_UNPACKED >> 20)]
+    TooLarge {
+        /// Archive.
+        path: String,
+    },
+}
+
+fn io_error(path: &Path) -> impl FnOnce(io::Error) -> ArchiveError + '_ {
+    move |source| ArchiveError::Io { path: path.display().to_string(), source }
+}
+
+/// Unpacks `archive` into the folder `target`: no paths outside, no links, limited size.
+///
+/// # Errors
+/// When the archive cannot be read, is damaged, unsafe or too large.
+pub fn unpack(archive: &Path, target: &Path) -> Result<(), ArchiveError> {
+    let path = || archive.display().to_string();
+    let damaged = |source| ArchiveError::Damaged { path: path(), source };
+    let file = fs::File::open(archive).map_err(io_error(archive))?;
+    let mut zip = zip::ZipArchive::new(file).map_err(damaged)?;
+    if zip.len() > MAX_FILES {
+        return Err(ArchiveError::TooLarge { path: path() });
+    }
+    let mut left = MAX_UNPACKED;
+    for i in 0..zip.len() {
+        let mut entry = zip.by_index(i).map_err(damaged)?;
+        let name = entry.name().map_err(damaged)?.into_owned();
+        let refuse = |reason| ArchiveError::Unsafe { path: path(), entry: name.clone(), reason };
+        if entry.is_symlink() {
+            return Err(refuse("is a symbolic link"));
+        }
+        let inside = safe_path(&name).ok_or_else(|| refuse("leads out of the archive's folder"))?;
+        let destination = target.join(inside);
+        if entry.is_dir() {
+            fs::create_dir_all(&destination).map_err(io_error(&destination))?;
+            continue;
+        }
+        if let Some(folder) = destination.parent() {
+            fs::create_dir_all(folder).map_err(io_error(folder))?;
+        }
+        let mut out = fs::File::create(&destination).map_err(io_error(&destination))?;
+        // The stated size may lie, so what is unpacked is counted.
+        let written = io::copy(&mut entry.by_ref().take(left + 1), &mut out)
+            .map_err(io_error(&destination))?;
+        left = left
+            .checked_sub(written)
+            .ok_or_else(|| ArchiveError::TooLarge { path: path() })?;
+    }
+    Ok(())
+}
+
+/// The entry's path if it stays inside of the folder it is unpacked to.
+fn safe_path(entry: &str) -> Option<PathBuf> {
+    if entry.contains('\\') || entry.contains(':') || entry.contains('\0') {
+        return None;
+    }
+    let path = Path::new(entry);
+    let inside = path.components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
+    inside.then(|| path.to_path_buf())
+}
+
+/// Packs the files below `folder` into `archive`, in the order of their names and without
+/// times, so that equal content gives equal bytes.
+///
+/// # Errors
+/// When a file cannot be read or the archive cannot be written.
+pub fn pack(folder: &Path, archive: &Path) -> Result<(), ArchiveError> {
+    let damaged = |source| ArchiveError::Damaged { path: archive.display().to_string(), source };
+    let mut files = vec![];
+    list_files(folder, &mut files).map_err(io_error(folder))?;
+    files.sort();
+    let out = fs::File::create(archive).map_err(io_error(archive))?;
+    let mut zip = zip::ZipWriter::new(out);
+    let options = SimpleFileOptions::default()
+        .compression_method(zip::CompressionMethod::Deflated)
+        .last_modified_time(zip::DateTime::default());
+    for file in files {
+        let name = file.strip_prefix(folder).unwrap_or(&file).to_string_lossy().replace('\\', "/");
+        let permissions = if name.starts_with("binaries/") { 0o755 } else { 0o644 };
+        zip.start_file(name, options.unix_permissions(permissions)).map_err(damaged)?;
+        let content = fs::read(&file).map_err(io_error(&file))?;
+        zip.write_all(&content).map_err(io_error(archive))?;
+    }
+    zip.finish().map_err(damaged)?;
+    Ok(())
+}
+
+fn list_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            list_files(&path, files)?;
+        } else {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn archive_with(name: &str, options: SimpleFileOptions, folder: &Path) -> PathBuf {
+        let path = folder.join("hostile.fmu");
+        let mut zip = zip::ZipWriter::new(fs::File::create(&path).unwrap());
+        zip.start_file(name, options).unwrap();
+        zip.write_all(b"content").unwrap();
+        zip.finish().unwrap();
+        path
+    }
+
+    #[test]
+    fn round_trip_and_equal_bytes() {
+        let folder = tempfile::tempdir().unwrap();
+        let source = folder.path().join("source");
+        fs::create_dir_all(source.join("resources")).unwrap();
+        fs::write(source.join("modelDescription.xml"), "x").unwrap();
+        fs::write(source.join("resources/a.toml"), "y").unwrap();
+        let (one, two) = (folder.path().join("1.fmu"), folder.path().join("2.fmu"));
+        pack(&source, &one).unwrap();
+        pack(&source, &two).unwrap();
+        assert_eq!(fs::read(&one).unwrap(), fs::read(&two).unwrap());
+        let target = folder.path().join("target");
+        unpack(&one, &target).unwrap();
+        assert_eq!(fs::read_to_string(target.join("resources/a.toml")).unwrap(), "y");
+    }
+
+    #[test]
+    fn entries_that_lead_outside_are_refused() {
+        for name in ["../../x", "/etc/x", "a/../../x", "c:\\x", "a\\..\\x"] {
+            let folder = tempfile::tempdir().unwrap();
+            let path = archive_with(name, SimpleFileOptions::default(), folder.path());
+            let error = unpack(&path, &folder.path().join("target")).unwrap_err();
+            assert!(matches!(error, ArchiveError::Unsafe { .. }), "{name}: {error}");
+        }
+    }
+
+    #[test]
+    fn links_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("link.fmu");
+        let mut zip = zip::ZipWriter::new(fs::File::create(&path).unwrap());
+        zip.add_symlink("link", "/tmp", SimpleFileOptions::default()).unwrap();
+        zip.finish().unwrap();
+        let error = unpack(&path, &folder.path().join("target")).unwrap_err();
+        assert!(error.to_string().contains("symbolic link"), "{error}");
+    }
+
+    #[test]
+    fn a_file_that_is_no_archive_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("corrupt.fmu");
+        fs::write(&path, "not a zip").unwrap();
+        let error = unpack(&path, folder.path()).unwrap_err().to_string();
+        assert!(error.contains("corrupt.fmu is not a usable FMU"), "{error}");
+    }
+}

@@ -1,0 +1,133 @@
+//! An FMU file: unpacked and loaded once, instantiated as often as needed.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
+
+use super::binding::Functions;
+use crate::archive::{self, ArchiveError};
+use crate::interface::{Interface, InterfaceError};
+
+/// Characters that a file URI must not hold as they are.
+const NOT_IN_URI: &AsciiSet = &CONTROLS
+    .add(b' ').add(b'"').add(b'#').add(b'%').add(b'<').add(b'>').add(b'?')
+    .add(b'[').add(b']').add(b'^').add(b'`').add(b'{').add(b'|').add(b'}');
+
+/// Where the binary lies in an FMU on this platform (FMI 2.0 §2.3).
+const PLATFORM: &str = match (cfg!(target_os = "windows"), cfg!(target_os = "macos")) {
+    (true, _) => "win64",
+    (_, true) => "darwin64",
+    _ => "linux64",
+};
+
+/// Why an FMU cannot be imported.
+#[derive(Debug, thiserror::Error)]
+pub enum ImportError {
+    /// The archive is damaged or unsafe.
+    #[error(transparent)]
+    Archive(#[from] ArchiveError),
+    /// No model description.
+    #[error("{file} is not an FMU: it has no modelDescription.xml ({source})")]
+    NoModelDescription {
+        /// FMU.
+        file: String,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// The model description cannot be used.
+    #[error("{file}: {source}")]
+    ModelDescription {
+        /// FMU.
+        file: String,
+        /// Reason.
+        source: InterfaceError,
+    },
+    /// The binary is missing, or lacks a function.
+    #[error("{file}: the binary {binary} cannot be loaded: {source}")]
+    Binary {
+        /// FMU.
+        file: String,
+        /// Path inside of the FMU.
+        binary: String,
+        /// Reason.
+        source: libloading::Error,
+    },
+    /// There is no room for unpacking.
+    #[error("no temporary folder can be made for {file}: {source}")]
+    NoFolder {
+        /// FMU.
+        file: String,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// The binary could not describe itself for the given resources.
+    #[error("{file}: {message}")]
+    Describe {
+        /// FMU.
+        file: String,
+        /// What the model says.
+        message: String,
+    },
+}
+
+/// An FMU on disk and in memory.
+pub struct Import {
+    /// The FMU's file, for messages.
+    file: String,
+    interface: Interface,
+    pub(super) functions: Functions,
+    /// Keeps the unpacked files.
+    folder: tempfile::TempDir,
+}
+
+impl Import {
+    /// Unpacks and loads an FMU.
+    ///
+    /// # Errors
+    /// When the file is not a usable FMI 2.0 co-simulation FMU for this platform.
+    pub fn open(path: &Path) -> Result<Arc<Self>, ImportError> {
+        let file = path.display().to_string();
+        let folder = tempfile::Builder::new()
+            .prefix("hotfoot-fmu-")
+            .tempdir()
+            .map_err(|source| ImportError::NoFolder { file: file.clone(), source })?;
+        archive::unpack(path, folder.path())?;
+        let interface = read_interface(folder.path(), &file)?;
+        let binary = binary_path(&interface.identifier);
+        let functions = Functions::load(&folder.path().join(&binary)).map_err(|source| {
+            ImportError::Binary { file: file.clone(), binary: binary.display().to_string(), source }
+        })?;
+        Ok(Arc::new(Self { file, interface, functions, folder }))
+    }
+
+    /// What the model description says.
+    pub fn interface(&self) -> &Interface {
+        &self.interface
+    }
+
+    /// The FMU's file.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// The folder of the FMU's resources as a file URI.
+    pub(super) fn resource_uri(&self) -> String {
+        let path = self.folder.path().join("resources");
+        format!("file://{}", utf8_percent_encode(&path.to_string_lossy(), NOT_IN_URI))
+    }
+}
+
+/// Reads the model description of an unpacked FMU.
+pub fn read_interface(folder: &Path, file: &str) -> Result<Interface, ImportError> {
+    let xml = std::fs::read_to_string(folder.join("modelDescription.xml"))
+        .map_err(|source| ImportError::NoModelDescription { file: file.to_owned(), source })?;
+    Interface::from_xml(&xml)
+        .map_err(|source| ImportError::ModelDescription { file: file.to_owned(), source })
+}
+
+/// Path of the binary inside of an FMU.
+pub fn binary_path(identifier: &str) -> PathBuf {
+    let name = format!("{identifier}{}", std::env::consts::DLL_SUFFIX);
+    Path::new("binaries").join(PLATFORM).join(name)
+}

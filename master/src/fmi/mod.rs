@@ -1,0 +1,24 @@
+//! Import of FMI 2.0 co-simulation FMUs.
+//!
+//! | file | part |
+//! |---|---|
+//! | `binding.rs` | the C functions of an FMU's binary |
+//! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
+//! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
+//! | `import.rs` | an FMU file: unpacked and loaded once |
+//! | `instance.rs` | an instance of it: a [`Unit`](crate::unit::Unit) |
+//! | `logger.c` | the variadic part of the logger |
+//!
+//! This is the only place in the master with `unsafe` code.
+
+#![allow(unsafe_code)]
+
+mod binding;
+mod callbacks;
+mod describe;
+mod import;
+mod instance;
+
+pub use describe::describe;
+pub use import::{Import, ImportError, binary_path, read_interface};
+pub use instance::FmuInstance;

@@ -1,0 +1,151 @@
+//! The step loop with mocks: who gets what, when and in which order.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+
+use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
+use crate::mock::Mock;
+use crate::port::{Port, Signal};
+use crate::rail::Rail;
+use crate::roles::{self, vehicle_input, vehicle_output};
+use crate::scenario::Scheme;
+use crate::start::StartValues;
+use crate::synchronisation::{Controller, Gains};
+use crate::unit::Unit;
+
+const VEHICLES: usize = 2;
+const STEP: f64 = 0.5;
+
+type Calls = Arc<Mutex<Vec<String>>>;
+
+fn with<'a>(signals: &'a [Signal], causality: &'a str) -> impl Iterator<Item = (String, &'a str)> {
+    signals.iter().map(move |signal| (signal.name.clone(), causality))
+}
+
+fn port(unit: &dyn Unit, signals: &[Signal], causality: &str) -> Port {
+    Port::connect(unit.interface(), signals, causality, &BTreeMap::new()).unwrap()
+}
+
+/// The train's coupler forces are the time at the end of the step, plus 100 for each place.
+fn train(calls: &Calls) -> Train {
+    let signals = roles::longitudinal_signals(VEHICLES);
+    let variables: Vec<_> =
+        with(&signals.outputs, "output").chain(with(&signals.parameters, "parameter")).collect();
+    let block = roles::train::NAMES.len();
+    let unit = Mock::new("train", &variables, calls, move |values, time, length| {
+        for place in 0..VEHICLES {
+            values[place * block + roles::train::COUPLER_FRONT] =
+                time + length + 100.0 * place as f64;
+        }
+    });
+    let outputs = port(&unit, &signals.outputs, "output");
+    Train { unit: Box::new(unit), outputs }
+}
+
+/// A vehicle's position is the force that it got; its wheels' friction power is the time.
+fn vehicle(place: usize, calls: &Calls) -> Vehicle {
+    let signals = roles::vehicle_signals(1);
+    let variables: Vec<_> = with(&signals.inputs, "input")
+        .chain(with(&signals.outputs, "output"))
+        .chain(with(&signals.parameters, "parameter"))
+        .collect();
+    let outputs_at = signals.inputs.len();
+    let name = format!("vehicle[{}]", place + 1);
+    let unit = Mock::new(&name, &variables, calls, move |values, time, length| {
+        values[outputs_at + vehicle_output::wheelset(0)] = values[vehicle_input::COUPLER_FRONT];
+        values[outputs_at + vehicle_output::wheel(0, 0) + vehicle_output::FRICTION_POWER] = time + length;
+    });
+    let inputs = port(&unit, &signals.inputs, "input");
+    let outputs = port(&unit, &signals.outputs, "output");
+    let gains = Gains { proportional: 0.0, integral: 0.0, derivative: 0.0, limit: 0.0 };
+    Vehicle { unit: Box::new(unit), inputs, outputs, controller: Controller::new(gains) }
+}
+
+fn lockstep(scheme: Scheme, every: u64) -> (Lockstep, Calls) {
+    let calls = Calls::default();
+    let signals = roles::railheat_signals(&[1; VEHICLES]);
+    let variables: Vec<_> = with(&signals.inputs, "input").collect();
+    let unit = Mock::new("rail", &variables, &calls, |_, _, _| {});
+    let inputs = port(&unit, &signals.inputs, "input");
+    let rail = Rail::new(Box::new(unit), inputs, vec![1; VEHICLES], 0, every);
+    let lockstep = Lockstep {
+        clock: Clock { start: 0.0, length: STEP },
+        scheme,
+        train: train(&calls),
+        vehicles: (0..VEHICLES).map(|place| vehicle(place, &calls)).collect(),
+        rail: Some(rail),
+        times: Default::default(),
+    };
+    (lockstep, calls)
+}
+
+fn run(lockstep: &mut Lockstep, steps: u64) {
+    let pool = crate::parallel::pool(1).unwrap();
+    pool.install(|| {
+        lockstep.initialize(StartValues { position: 0.0, velocity: 1.0 }, 10.0).unwrap();
+        for k in 0..steps {
+            lockstep.step(k).unwrap();
+        }
+    });
+}
+
+/// The place of friction power in a wheelset's block of rail inputs.
+const POWER: usize = 4;
+
+#[test]
+fn sequential_vehicles_get_the_forces_of_the_end_of_the_step() {
+    let (mut lockstep, _) = lockstep(Scheme::Sequential, 1);
+    run(&mut lockstep, 2);
+    let forces = lockstep.vehicles.iter().map(|v| v.inputs.values[vehicle_input::COUPLER_FRONT]);
+    assert_eq!(forces.collect::<Vec<_>>(), [1.0, 101.0]);
+    let rail = lockstep.rail.unwrap();
+    assert_eq!(rail.inputs.values[0], 1.0, "position of the first wheelset");
+    assert_eq!(rail.inputs.values[POWER], 1.0);
+}
+
+#[test]
+fn jacobi_vehicles_get_the_forces_of_the_beginning_of_the_step() {
+    let (mut lockstep, _) = lockstep(Scheme::Jacobi, 1);
+    run(&mut lockstep, 2);
+    let forces = lockstep.vehicles.iter().map(|v| v.inputs.values[vehicle_input::COUPLER_FRONT]);
+    assert_eq!(forces.collect::<Vec<_>>(), [0.5, 100.5]);
+    assert_eq!(lockstep.rail.unwrap().inputs.values[POWER], 0.5);
+}
+
+#[test]
+fn a_slower_rail_gets_means_and_the_last_position() {
+    let (mut lockstep, calls) = lockstep(Scheme::Sequential, 2);
+    run(&mut lockstep, 4);
+    let rail = lockstep.rail.unwrap();
+    assert_eq!(rail.inputs.values[POWER], (1.5 + 2.0) / 2.0);
+    assert_eq!(rail.inputs.values[0], 2.0);
+    let calls = calls.lock().unwrap();
+    let steps: Vec<_> = calls.iter().filter(|call| call.starts_with("rail step")).collect();
+    assert_eq!(steps, ["rail step 0.000", "rail step 1.000"]);
+}
+
+/// FMI 2.0 §4.2.4: in stepping, no output is got after a set without a step in between.
+#[test]
+fn no_unit_is_read_between_a_set_and_its_step() {
+    for scheme in [Scheme::Sequential, Scheme::Jacobi] {
+        let (mut lockstep, calls) = lockstep(scheme, 1);
+        run(&mut lockstep, 3);
+        let calls = calls.lock().unwrap();
+        for unit in ["train", "vehicle[1]", "vehicle[2]", "rail"] {
+            let own = calls.iter().filter_map(|call| call.strip_prefix(&format!("{unit} ")));
+            let stepping: Vec<_> = own.skip_while(|call| *call != "exit").skip(1).collect();
+            let read_after_set = stepping.windows(2).any(|pair| pair == ["set", "get"]);
+            assert!(!read_after_set, "{unit}: {stepping:?}");
+            assert_eq!(stepping.iter().filter(|call| call.starts_with("step")).count(), 3);
+        }
+    }
+}
+
+#[test]
+fn every_unit_is_told_the_end() {
+    let (mut lockstep, calls) = lockstep(Scheme::Sequential, 1);
+    run(&mut lockstep, 1);
+    lockstep.terminate().unwrap();
+    let calls = calls.lock().unwrap();
+    assert_eq!(calls.iter().filter(|call| call.ends_with("terminate")).count(), 4);
+}

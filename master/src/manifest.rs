@@ -1,0 +1,130 @@
+//! `manifest.toml`: what made the results of a run.
+
+use std::path::Path;
+use std::time::Duration;
+
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use crate::prepare::Folders;
+use crate::report::RunFacts;
+use crate::scenario::Scenario;
+use crate::times::StepTimes;
+
+/// The manifest cannot be written.
+#[derive(Debug)]
+pub struct ManifestError {
+    /// File.
+    pub path: String,
+    /// Reason.
+    pub source: std::io::Error,
+}
+
+/// What made the results of a run.
+#[derive(Debug, Serialize)]
+pub struct Manifest {
+    hotfoot_version: &'static str,
+    git_commit: &'static str,
+    machine: String,
+    /// Simulated time reached, s; 0 while the run has not ended.
+    simulated_s: f64,
+    scenario: String,
+    /// What the report shows of the run.
+    pub run: RunFacts,
+    wall_time_of: Vec<WallTime>,
+    fmu: Vec<FmuEntry>,
+}
+
+/// Wall time of a part of all steps.
+#[derive(Debug, Serialize)]
+struct WallTime {
+    part: &'static str,
+    seconds: f64,
+}
+
+/// An FMU that took part.
+#[derive(Debug, Serialize)]
+struct FmuEntry {
+    file: String,
+    sha256: String,
+    guid: String,
+}
+
+impl Manifest {
+    /// A manifest of a run that begins.
+    pub fn new(scenario: &Scenario, text: String, threads: usize, folders: &Folders) -> Self {
+        let cores = std::thread::available_parallelism().map_or(0, usize::from);
+        let run = RunFacts {
+            title: scenario.title.clone(),
+            vehicles: scenario.vehicle_count(),
+            plotted: scenario.recorded_vehicles(),
+            rail: scenario.heat.as_ref().map_or("", |heat| heat.rail.side()).to_owned(),
+            heat_maps_at_s: scenario.record.heat_maps_at_s.clone(),
+            curves_m: curves(&scenario.track.file),
+            step_s: scenario.step_s,
+            threads,
+            ..RunFacts::default()
+        };
+        Self {
+            hotfoot_version: env!("CARGO_PKG_VERSION"),
+            git_commit: env!("HOTFOOT_GIT_COMMIT"),
+            machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+            simulated_s: 0.0,
+            scenario: text,
+            run,
+            wall_time_of: vec![],
+            fmu: fmus(scenario, folders),
+        }
+    }
+
+    /// Adds what is known at the end.
+    pub fn finish(&mut self, simulated: f64, wall: Duration, times: &StepTimes) {
+        self.simulated_s = simulated;
+        self.run.wall_time_s = Some(wall.as_secs_f64());
+        let parts = [
+            ("train", times.train),
+            ("vehicles", times.vehicles),
+            ("rail", times.rail),
+            ("exchange", times.exchange),
+            ("recording", times.recording),
+        ];
+        self.wall_time_of =
+            parts.map(|(part, time)| WallTime { part, seconds: time.as_secs_f64() }).into();
+    }
+
+    /// Writes the manifest into the results folder.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn write(&self, results: &Path) -> Result<(), ManifestError> {
+        let path = results.join("manifest.toml");
+        let text = toml::to_string(self).expect("a manifest is a TOML table");
+        std::fs::write(&path, text)
+            .map_err(|source| ManifestError { path: path.display().to_string(), source })
+    }
+}
+
+/// The curves of the track, for the figures; a track that cannot be read has none here, since
+/// the units that need it have already said so.
+fn curves(track: &Path) -> Vec<[f64; 2]> {
+    track::Track::from_file(track).map(|track| track.curves()).unwrap_or_default()
+}
+
+/// The FMUs of a run: those packed for it, and those that the scenario names.
+fn fmus(scenario: &Scenario, folders: &Folders) -> Vec<FmuEntry> {
+    let packed = std::fs::read_dir(folders.results.join("fmus")).into_iter().flatten();
+    let mut files: Vec<_> = packed.flatten().map(|entry| entry.path()).collect();
+    let named = &scenario.fmus;
+    files.extend([&named.longitudinal, &named.vehicle, &named.railheat].into_iter().flatten().cloned());
+    files.extend(named.vehicle_at.iter().map(|replacement| replacement.file.clone()));
+    files.sort();
+    files.iter().filter_map(|file| entry(file)).collect()
+}
+
+fn entry(file: &Path) -> Option<FmuEntry> {
+    let bytes = std::fs::read(file).ok()?;
+    let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+    let import = crate::Import::open(file).ok()?;
+    let guid = import.interface().guid.clone();
+    Some(FmuEntry { file: file.display().to_string(), sha256, guid })
+}

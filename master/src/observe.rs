@@ -1,0 +1,214 @@
+//! What is recorded of a run: the series of the train, the vehicles and chosen wheels.
+
+use std::path::Path;
+
+use crate::lockstep::{Lockstep, Vehicle};
+use crate::port::{Port, Signal};
+use crate::recording::{
+    Column, RecordingError, SeriesWriter, Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys,
+};
+use crate::report::EnergyLine;
+use crate::roles::{SIDES, train, vehicle_input, vehicle_output, wheelset_count};
+use crate::scenario::Scenario;
+use crate::unit::{Unit, UnitError};
+
+/// Recorded instants in a part of a series on disk; a killed run loses less than this.
+const PART_S: f64 = 1.0;
+
+/// Why recording failed.
+#[derive(Debug, thiserror::Error)]
+pub enum ObserveError {
+    /// A file cannot be written.
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
+    /// A unit does not give its outputs.
+    #[error(transparent)]
+    Unit(#[from] UnitError),
+}
+
+/// Records the series of a run.
+pub struct Recorder {
+    train: SeriesWriter,
+    train_outputs: Port,
+    rail_outputs: Port,
+    vehicles: SeriesWriter,
+    wheels: SeriesWriter,
+    /// Vehicle (from zero), wheelset and side of each row of the wheels.
+    wheel_rows: Vec<(usize, usize, usize)>,
+    /// Exchange steps per record.
+    every: u64,
+    /// Whether each vehicle has had traction.
+    powered: Vec<bool>,
+    /// Names of the recorded outputs of train and rail that are energies, with their places.
+    energies: Vec<(String, usize)>,
+}
+
+impl Recorder {
+    /// Begins the series of a run in `folder`.
+    ///
+    /// # Errors
+    /// When the folder cannot be written.
+    pub fn new(
+        scenario: &Scenario,
+        lockstep: &Lockstep,
+        folder: &Path,
+    ) -> Result<Self, ObserveError> {
+        let every = (scenario.record.interval_s / scenario.step_s).round() as u64;
+        let per_part = (PART_S / scenario.record.interval_s).ceil() as usize;
+        let (train_outputs, mut columns) = all_outputs(lockstep.train.unit.as_ref(), "");
+        let (rail_outputs, rail_columns) = match &lockstep.rail {
+            Some(rail) => all_outputs(rail.unit.as_ref(), "rail."),
+            None => Default::default(),
+        };
+        columns.extend(rail_columns);
+        let is_energy = |(_, column): &(usize, &Column)| column.unit() == "J";
+        let energies = columns.iter().enumerate().filter(is_energy);
+        let energies = energies.map(|(i, column)| (column.name().to_owned(), i)).collect();
+        let wheel_rows = wheel_rows(scenario, lockstep);
+        let keys: Vec<_> =
+            wheel_rows.iter().map(|&(i, j, side)| (i + 1, j + 1, SERIES_SIDES[side])).collect();
+        let create = |name, keys, columns| {
+            SeriesWriter::create(folder, name, keys, columns, per_part)
+        };
+        Ok(Self {
+            train: create("train", vec![], columns)?,
+            train_outputs,
+            rail_outputs,
+            vehicles: create(
+                "vehicles",
+                vehicle_keys(lockstep.vehicles.len()),
+                VehicleRow::columns(),
+            )?,
+            wheels: create("wheels", wheel_keys(&keys), WheelRow::columns())?,
+            wheel_rows,
+            every,
+            powered: vec![false; lockstep.vehicles.len()],
+            energies,
+        })
+    }
+
+    /// Takes the state at communication point `k`, and records it if it is due.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn observe(&mut self, k: u64, lockstep: &mut Lockstep) -> Result<(), ObserveError> {
+        for (i, (vehicle, place)) in lockstep.vehicles.iter().zip(lockstep.train.blocks()).enumerate() {
+            self.vehicles.observe(i, &vehicle_row(vehicle, place).values());
+            self.powered[i] |= place[train::TRACTION] != 0.0;
+        }
+        for (row, &(i, j, side)) in self.wheel_rows.iter().enumerate() {
+            self.wheels.observe(row, &wheel_row(&lockstep.vehicles[i], j, side).values());
+        }
+        if k.is_multiple_of(self.every) {
+            self.record(lockstep.clock.at(k), lockstep)?;
+        }
+        Ok(())
+    }
+
+    /// Places from one of the vehicles that have had traction.
+    pub fn locomotives(&self) -> Vec<usize> {
+        let powered = self.powered.iter().enumerate().filter(|(_, powered)| **powered);
+        powered.map(|(i, _)| i + 1).collect()
+    }
+
+    /// The energies that train and rail gave at the last record.
+    pub fn energy(&self) -> Vec<EnergyLine> {
+        let values: Vec<f64> =
+            self.train_outputs.values.iter().chain(&self.rail_outputs.values).copied().collect();
+        let line = |(name, i): &(String, usize)| EnergyLine { name: name.clone(), joules: values[*i] };
+        self.energies.iter().map(line).collect()
+    }
+
+    fn record(&mut self, time: f64, lockstep: &mut Lockstep) -> Result<(), ObserveError> {
+        self.train_outputs.get(lockstep.train.unit.as_mut())?;
+        let mut values = self.train_outputs.values.clone();
+        if let Some(rail) = &mut lockstep.rail {
+            self.rail_outputs.get(rail.unit.as_mut())?;
+            values.extend(&self.rail_outputs.values);
+        }
+        self.train.observe(0, &values);
+        self.train.record(time)?;
+        self.vehicles.record(time)?;
+        Ok(self.wheels.record(time)?)
+    }
+
+    /// Completes the files.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn finish(self) -> Result<(), ObserveError> {
+        self.train.finish()?;
+        self.vehicles.finish()?;
+        Ok(self.wheels.finish()?)
+    }
+}
+
+/// The sides in the order of the exchange.
+const SERIES_SIDES: [Side; SIDES.len()] = [Side::Left, Side::Right];
+
+/// All Real outputs of a unit that do not belong to single vehicles, and their columns with the
+/// names put behind `prefix`.
+fn all_outputs(unit: &dyn Unit, prefix: &str) -> (Port, Vec<Column>) {
+    let outputs = unit.interface().real_outputs("vehicle[");
+    let signals: Vec<_> = outputs.iter().map(|output| Signal::required(&output.name)).collect();
+    let port = Port::connect(unit.interface(), &signals, "output", &Default::default());
+    let column = |output: &&crate::interface::Variable| {
+        let unit = output.unit.as_deref().unwrap_or("1");
+        Column::new(&format!("{prefix}{}", output.name), unit, &output.description).double()
+    };
+    (port.unwrap_or_default(), outputs.iter().map(column).collect())
+}
+
+/// The wheels of the recorded vehicles.
+fn wheel_rows(scenario: &Scenario, lockstep: &Lockstep) -> Vec<(usize, usize, usize)> {
+    let mut rows = vec![];
+    for place in scenario.recorded_vehicles() {
+        let wheelsets = wheelset_count(lockstep.vehicles[place - 1].unit.interface());
+        for j in 0..wheelsets {
+            rows.extend([(place - 1, j, 0), (place - 1, j, 1)]);
+        }
+    }
+    rows
+}
+
+fn vehicle_row(vehicle: &Vehicle, place: &[f64]) -> VehicleRow {
+    let (inputs, outputs) = (&vehicle.inputs.values, &vehicle.outputs.values);
+    let wheels = || outputs[vehicle_output::NAMES.len()..].chunks_exact(vehicle_output::WHEELSET_BLOCK);
+    let sum = |quantity: usize| -> f64 {
+        let count = vehicle_output::WHEEL_NAMES.len();
+        wheels().map(|block| block[1 + quantity] + block[1 + count + quantity]).sum()
+    };
+    VehicleRow {
+        position: outputs[vehicle_output::POSITION],
+        velocity: outputs[vehicle_output::VELOCITY],
+        train_position: place[train::POSITION],
+        train_velocity: place[train::VELOCITY],
+        coupler_front_force: place[train::COUPLER_FRONT],
+        coupler_rear_force: place[train::COUPLER_REAR],
+        traction_force: place[train::TRACTION],
+        brake_force: place[train::BRAKE],
+        resistance_force: place[train::RESISTANCE],
+        sync_force: inputs[vehicle_input::SYNCHRONISATION],
+        position_error: outputs[vehicle_output::POSITION] - place[train::POSITION],
+        creep_force: sum(vehicle_output::FORCE_LONGITUDINAL),
+        friction_power: sum(vehicle_output::FRICTION_POWER),
+    }
+}
+
+fn wheel_row(vehicle: &Vehicle, wheelset: usize, side: usize) -> WheelRow {
+    let outputs = &vehicle.outputs.values;
+    let wheel = &outputs[vehicle_output::wheel(wheelset, side)..][..vehicle_output::WHEEL_NAMES.len()];
+    WheelRow {
+        position: outputs[vehicle_output::wheelset(wheelset)],
+        creepage_longitudinal: wheel[0],
+        creepage_lateral: wheel[1],
+        creepage_spin: wheel[2],
+        force_longitudinal: wheel[3],
+        force_lateral: wheel[4],
+        force_normal: wheel[5],
+        friction_power: wheel[6],
+        contact_a: wheel[7],
+        contact_b: wheel[8],
+        contact_lateral_position: wheel[9],
+    }
+}

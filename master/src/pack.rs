@@ -1,0 +1,106 @@
+//! Packs an FMU: a binary with resources, and the model description that the binary gives for
+//! them. So one binary serves trains of any length.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::archive::{self, ArchiveError};
+use crate::fmi::{self, ImportError, describe};
+
+/// Icon of the FMUs.
+const MODEL_PNG: &[u8] = include_bytes!("../assets/model.png");
+/// Licence of the FMUs.
+const LICENSE: &str = include_str!("../assets/license.txt");
+
+/// Why an FMU cannot be packed.
+#[derive(Debug, thiserror::Error)]
+pub enum PackError {
+    /// A file cannot be read or written.
+    #[error("{path}: {source}")]
+    Io {
+        /// Path concerned.
+        path: String,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// The archive cannot be read or written.
+    #[error(transparent)]
+    Archive(#[from] ArchiveError),
+    /// The binary cannot be loaded or refuses the resources.
+    #[error(transparent)]
+    Import(#[from] ImportError),
+}
+
+fn io_error(path: &Path) -> impl FnOnce(std::io::Error) -> PackError + '_ {
+    move |source| PackError::Io { path: path.display().to_string(), source }
+}
+
+/// Where the binary of the new FMU comes from.
+#[derive(Debug, Clone, Copy)]
+pub enum Binary<'a> {
+    /// A shared library.
+    Library(&'a Path),
+    /// An FMU that was packed before.
+    Fmu(&'a Path),
+}
+
+/// Packs `binary` with the files of the folder `resources` into the FMU `target`.
+///
+/// # Errors
+/// When files cannot be read or written, or the model refuses the resources.
+pub fn pack(binary: Binary<'_>, resources: &Path, target: &Path) -> Result<(), PackError> {
+    let folder = tempfile::tempdir().map_err(io_error(target))?;
+    let library = match binary {
+        Binary::Library(path) => path.to_owned(),
+        Binary::Fmu(path) => unpacked_binary(path, &folder.path().join("base"))?,
+    };
+    let description = describe(&library, resources)?;
+
+    let content = folder.path().join("content");
+    let file = |name: PathBuf, bytes: &[u8]| write(&content.join(name), bytes);
+    file("modelDescription.xml".into(), description.xml.as_bytes())?;
+    file("documentation/index.html".into(), description.html.as_bytes())?;
+    file("documentation/licenses/license.txt".into(), LICENSE.as_bytes())?;
+    file("model.png".into(), MODEL_PNG)?;
+    let bytes = fs::read(&library).map_err(io_error(&library))?;
+    file(fmi::binary_path(&description.identifier), &bytes)?;
+    copy_folder(resources, &content.join("resources"))?;
+    Ok(archive::pack(&content, target)?)
+}
+
+/// Unpacks an FMU and gives the path of its binary.
+fn unpacked_binary(fmu: &Path, folder: &Path) -> Result<PathBuf, PackError> {
+    archive::unpack(fmu, folder)?;
+    let interface = fmi::read_interface(folder, &fmu.display().to_string())?;
+    Ok(folder.join(fmi::binary_path(&interface.identifier)))
+}
+
+/// Writes a file, and the folders that it lies in.
+///
+/// # Errors
+/// When that fails.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), PackError> {
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder).map_err(io_error(folder))?;
+    }
+    fs::write(path, bytes).map_err(io_error(path))
+}
+
+/// Copies a folder with all that is in it.
+///
+/// # Errors
+/// When a file cannot be read or written.
+pub fn copy_folder(from: &Path, to: &Path) -> Result<(), PackError> {
+    fs::create_dir_all(to).map_err(io_error(to))?;
+    for entry in fs::read_dir(from).map_err(io_error(from))? {
+        let path = entry.map_err(io_error(from))?.path();
+        let Some(name) = path.file_name() else { continue };
+        let target = to.join(name);
+        if path.is_dir() {
+            copy_folder(&path, &target)?;
+        } else {
+            fs::copy(&path, &target).map_err(io_error(&path))?;
+        }
+    }
+    Ok(())
+}

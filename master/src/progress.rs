@@ -1,0 +1,80 @@
+//! The progress bar: simulated time, speed against real time, time left, and live figures.
+
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::lockstep::Lockstep;
+use crate::roles::train;
+
+/// Wall time between two updates.
+const UPDATE: Duration = Duration::from_millis(200);
+
+/// A progress bar for a run.
+pub struct Progress {
+    bar: ProgressBar,
+    begin: Instant,
+    updated: Instant,
+    duration: f64,
+}
+
+impl Progress {
+    /// A bar for a run of `steps` steps and `duration` seconds; hidden where the terminal is
+    /// none, or when asked to be.
+    pub fn new(steps: u64, duration: f64, quiet: bool) -> Self {
+        let target =
+            if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let bar = ProgressBar::with_draw_target(Some(steps), target);
+        let style = ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}, {eta} left");
+        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let now = Instant::now();
+        Self { bar, begin: now, updated: now, duration }
+    }
+
+    /// Shows the state after `done` steps at `time`, if it is due.
+    pub fn show(&mut self, done: u64, time: f64, lockstep: &Lockstep) {
+        let now = Instant::now();
+        if now - self.updated < UPDATE {
+            return;
+        }
+        self.updated = now;
+        self.bar.set_position(done);
+        let real_time = time / (now - self.begin).as_secs_f64();
+        let live = LiveFigures::of(lockstep);
+        self.bar.set_message(format!(
+            "{time:.1} of {:.0} s, {real_time:.2} x real time, {:.1} km/h, coupler {:.0} kN at {}",
+            self.duration,
+            live.speed * 3.6,
+            live.coupler_force / 1e3,
+            live.vehicle,
+        ));
+    }
+
+    /// Removes the bar and gives the wall time since the beginning.
+    pub fn finish(self) -> Duration {
+        self.bar.finish_and_clear();
+        self.begin.elapsed()
+    }
+}
+
+/// What is shown while running.
+struct LiveFigures {
+    /// Speed of the leading vehicle, m/s.
+    speed: f64,
+    /// Rear coupler force of the largest magnitude in the train, N.
+    coupler_force: f64,
+    /// Its vehicle, counted from one.
+    vehicle: usize,
+}
+
+impl LiveFigures {
+    fn of(lockstep: &Lockstep) -> Self {
+        let speed = lockstep.train.outputs.values[train::VELOCITY];
+        let forces = lockstep.train.blocks().map(|block| block[train::COUPLER_REAR]);
+        let (vehicle, coupler_force) = forces
+            .enumerate()
+            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+            .unwrap_or_default();
+        Self { speed, coupler_force, vehicle: vehicle + 1 }
+    }
+}

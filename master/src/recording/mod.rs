@@ -1,0 +1,97 @@
+//! Records a run as tables: named columns with unit and description, in Parquet files.
+//!
+//! | file | part |
+//! |---|---|
+//! | `column.rs` | a column and a key of a table, and how the file describes them |
+//! | `tables.rs` | the tables of vehicles and of wheels |
+//! | `accumulator.rs` | last value, lowest and highest of every column between two records |
+//! | `writer.rs` | writes a table while the run goes on |
+//! | `parts.rs` | the files of a table: parts while the run goes on, one file at its end |
+//! | `reader.rs` | reads a column of a table, of a finished or of a killed run |
+//!
+//! Nothing here knows FMUs, and nothing in a file depends on the clock, on threads or on the
+//! machine: identical runs give identical bytes.
+
+mod accumulator;
+mod column;
+mod parts;
+mod reader;
+mod tables;
+mod writer;
+
+#[cfg(test)]
+mod tests;
+
+use std::path::{Path, PathBuf};
+
+use parquet::errors::ParquetError;
+
+pub use column::{Column, Key, KeyValues};
+pub use reader::{KeyValue, SeriesReader};
+pub use tables::{Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys};
+pub use writer::SeriesWriter;
+
+/// Why a series cannot be written or read.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordingError {
+    /// The file system refuses.
+    #[error("{file}: {source}")]
+    File {
+        /// File or folder.
+        file: PathBuf,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// The content is not what Parquet or the table wants.
+    #[error("{file}: {source}")]
+    Parquet {
+        /// File.
+        file: PathBuf,
+        /// Reason.
+        source: ParquetError,
+    },
+    /// A table has neither a file nor parts.
+    #[error("{folder} has neither {name}.parquet nor {name}.parts: no run has recorded it there")]
+    NoTable {
+        /// Folder of the series.
+        folder: PathBuf,
+        /// Name of the table.
+        name: String,
+    },
+    /// A table has no such column.
+    #[error("{file} has no column {column}; it has {available}")]
+    NoColumn {
+        /// File.
+        file: PathBuf,
+        /// Name asked for.
+        column: String,
+        /// The names there are.
+        available: String,
+    },
+    /// The keys of a table do not belong together.
+    #[error("table {table}: key {key} has {found} values where the keys before have {wanted}")]
+    Keys {
+        /// Name of the table.
+        table: String,
+        /// Name of the key.
+        key: String,
+        /// Its number of values.
+        found: usize,
+        /// The number the other keys have.
+        wanted: usize,
+    },
+}
+
+impl RecordingError {
+    /// An error of the file system at `file`.
+    fn file(file: &Path) -> impl FnOnce(std::io::Error) -> Self {
+        let file = file.to_owned();
+        |source| Self::File { file, source }
+    }
+
+    /// An error of the Parquet content of `file`.
+    fn parquet<E: Into<ParquetError>>(file: &Path) -> impl FnOnce(E) -> Self {
+        let file = file.to_owned();
+        |source| Self::Parquet { file, source: source.into() }
+    }
+}

@@ -1,0 +1,178 @@
+//! The files of a table: parts while the run goes on, one file at its end.
+//!
+//! ```text
+//! series/vehicles.parts/part-00000.parquet    while the run goes on
+//! series/vehicles.parts/part-00001.parquet
+//! series/vehicles.parquet                     when it has finished
+//! ```
+//!
+//! A Parquet file is readable only with its footer, which comes last. Three ways keep a run
+//! readable when it is killed at any instant:
+//!
+//! - write the one file anew each recorded second: the work grows with the square of the time;
+//! - append rows and a new footer behind the old one: a write that a kill cuts short leaves a
+//!   file without footer, and every footer repeats all those before it;
+//! - write each recorded second as a file of its own under a hidden name, then rename it, which
+//!   is atomic: this is done here, because its cost is constant and a file once there is never
+//!   touched again.
+//!
+//! pandas, pyarrow, polars and DuckDB read a folder of parts as one table, and pass over the
+//! hidden file that a kill may leave. At the end of the run the parts are joined into one
+//! file, which is smaller and quicker to read; it too gets its name only when it is complete.
+//! A kill -9 loses nothing that a rename has made visible. Files are not forced to the disk
+//! with fsync, so a power failure may lose more than a second.
+
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+
+use arrow::array::RecordBatch;
+use arrow::datatypes::{DataType, SchemaRef};
+use arrow::error::ArrowError;
+use parquet::arrow::ArrowWriter;
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use parquet::basic::{Compression, Encoding, ZstdLevel};
+use parquet::errors::ParquetError;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::schema::types::ColumnPath;
+
+use super::RecordingError;
+
+/// Stands in every file as its writer; has no version of ours or of a library, so that the
+/// bytes depend on the values only.
+const WRITER: &str = "hotfoot";
+
+/// The parts of a table that is being written.
+#[derive(Debug)]
+pub(super) struct Parts {
+    folder: PathBuf,
+    joined: PathBuf,
+    written: usize,
+}
+
+impl Parts {
+    /// Begins a table; removes the file and the parts of an earlier one.
+    pub fn create(folder: &Path, name: &str) -> Result<Self, RecordingError> {
+        let parts = Self {
+            folder: parts_folder(folder, name),
+            joined: joined_file(folder, name),
+            written: 0,
+        };
+        if parts.joined.exists() {
+            fs::remove_file(&parts.joined).map_err(RecordingError::file(&parts.joined))?;
+        }
+        parts.remove()?;
+        fs::create_dir_all(&parts.folder).map_err(RecordingError::file(&parts.folder))?;
+        Ok(parts)
+    }
+
+    /// Writes the next part.
+    pub fn write(
+        &mut self,
+        schema: &SchemaRef,
+        batch: Result<RecordBatch, ArrowError>,
+    ) -> Result<(), RecordingError> {
+        let file = self.folder.join(format!("part-{:05}.parquet", self.written));
+        write_file(&file, schema, std::iter::once(batch.map_err(ParquetError::from)))?;
+        self.written += 1;
+        Ok(())
+    }
+
+    /// Joins the parts into one file and removes them.
+    pub fn join(&self, schema: &SchemaRef) -> Result<(), RecordingError> {
+        let files = part_files(&self.folder)?;
+        let batches = files.iter().flat_map(|file| match batches(file) {
+            Ok(batches) => batches,
+            Err(error) => vec![Err(error)],
+        });
+        write_file(&self.joined, schema, batches)?;
+        self.remove()
+    }
+
+    fn remove(&self) -> Result<(), RecordingError> {
+        match self.folder.exists() {
+            true => fs::remove_dir_all(&self.folder).map_err(RecordingError::file(&self.folder)),
+            false => Ok(()),
+        }
+    }
+}
+
+/// The files that hold the table `name`, in the order of time: the joined file, or the parts of
+/// a run that goes on or was killed.
+pub(super) fn table_files(folder: &Path, name: &str) -> Result<Vec<PathBuf>, RecordingError> {
+    let joined = joined_file(folder, name);
+    if joined.exists() {
+        return Ok(vec![joined]);
+    }
+    let parts = parts_folder(folder, name);
+    let files = if parts.exists() { part_files(&parts)? } else { vec![] };
+    match files.is_empty() {
+        false => Ok(files),
+        true => Err(RecordingError::NoTable { folder: folder.to_owned(), name: name.to_owned() }),
+    }
+}
+
+fn joined_file(folder: &Path, name: &str) -> PathBuf {
+    folder.join(format!("{name}.parquet"))
+}
+
+fn parts_folder(folder: &Path, name: &str) -> PathBuf {
+    folder.join(format!("{name}.parts"))
+}
+
+/// The complete parts, in the order they were written.
+fn part_files(folder: &Path) -> Result<Vec<PathBuf>, RecordingError> {
+    let entries = fs::read_dir(folder).map_err(RecordingError::file(folder))?;
+    let paths: Result<Vec<_>, _> = entries.map(|entry| entry.map(|e| e.path())).collect();
+    let mut files = paths.map_err(RecordingError::file(folder))?;
+    files.retain(|file| {
+        let name = file.file_name().map(|name| name.to_string_lossy());
+        name.is_some_and(|name| name.starts_with("part-") && name.ends_with(".parquet"))
+    });
+    files.sort();
+    Ok(files)
+}
+
+/// All rows of a file.
+fn batches(file: &Path) -> Result<Vec<Result<RecordBatch, ParquetError>>, ParquetError> {
+    let reader = ParquetRecordBatchReaderBuilder::try_new(File::open(file)?)?.build()?;
+    Ok(reader.map(|batch| batch.map_err(ParquetError::from)).collect())
+}
+
+/// Writes a file under a hidden name and gives it its name when it is complete.
+fn write_file(
+    file: &Path,
+    schema: &SchemaRef,
+    batches: impl Iterator<Item = Result<RecordBatch, ParquetError>>,
+) -> Result<(), RecordingError> {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let hidden = file.with_file_name(format!(".{name}"));
+    let write = || {
+        let output = File::create(&hidden)?;
+        let mut writer = ArrowWriter::try_new(output, schema.clone(), Some(properties(schema)))?;
+        for batch in batches {
+            writer.write(&batch?)?;
+        }
+        writer.close().map(|_| ())
+    };
+    write().map_err(RecordingError::parquet(file))?;
+    fs::rename(&hidden, file).map_err(RecordingError::file(file))
+}
+
+/// Floating-point columns are stored byte by byte (all first bytes, all second bytes, …), which
+/// zstd packs better; time and keys repeat and use a dictionary.
+fn properties(schema: &SchemaRef) -> WriterProperties {
+    let mut properties = WriterProperties::builder()
+        .set_created_by(WRITER.to_owned())
+        .set_compression(Compression::ZSTD(ZstdLevel::default()))
+        .set_statistics_enabled(EnabledStatistics::Chunk);
+    for field in schema.fields() {
+        let floating = matches!(field.data_type(), DataType::Float32 | DataType::Float64);
+        if floating && field.name() != "time" {
+            let column = ColumnPath::from(field.name().as_str());
+            properties = properties
+                .set_column_dictionary_enabled(column.clone(), false)
+                .set_column_encoding(column, Encoding::BYTE_STREAM_SPLIT);
+        }
+    }
+    properties.build()
+}

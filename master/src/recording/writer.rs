@@ -1,0 +1,148 @@
+//! Writes a table while the run goes on.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use arrow::array::{ArrayRef, Float64Array, RecordBatch};
+use arrow::datatypes::{DataType, Schema, SchemaRef};
+
+use super::RecordingError;
+use super::accumulator::Accumulator;
+use super::column::{Column, Key, described};
+use super::parts::Parts;
+
+/// Writes one table: a row for each key at each recorded instant.
+///
+/// Every step is observed, every so many steps are recorded: a record holds the last value of
+/// each column and, where the column asks for it, the lowest and the highest value since the
+/// record before. A table without keys has one row an instant.
+pub struct SeriesWriter {
+    parts: Parts,
+    schema: SchemaRef,
+    columns: Vec<Column>,
+    keys: Vec<Key>,
+    rows: usize,
+    records_per_part: usize,
+    accumulator: Accumulator,
+    times: Vec<f64>,
+    /// One buffer for each field after time and keys, in the order of the schema.
+    buffers: Vec<Vec<f64>>,
+}
+
+impl SeriesWriter {
+    /// Begins the table `name` in `folder`, and removes what an earlier run left of it there.
+    ///
+    /// After every `records_per_part` records the table on disk is complete up to there.
+    ///
+    /// # Errors
+    /// When the folder cannot be written or the keys differ in length.
+    pub fn create(
+        folder: &Path,
+        name: &str,
+        keys: Vec<Key>,
+        columns: Vec<Column>,
+        records_per_part: usize,
+    ) -> Result<Self, RecordingError> {
+        let rows = keys.first().map_or(1, Key::len);
+        if let Some(key) = keys.iter().find(|key| key.len() != rows) {
+            return Err(RecordingError::Keys {
+                table: name.to_owned(),
+                key: key.name.clone(),
+                found: key.len(),
+                wanted: rows,
+            });
+        }
+        let time = described("time", DataType::Float64, "s", "Simulated time");
+        let fields: Vec<_> = std::iter::once(time)
+            .chain(keys.iter().map(Key::field))
+            .chain(columns.iter().flat_map(Column::fields))
+            .collect();
+        Ok(Self {
+            parts: Parts::create(folder, name)?,
+            buffers: vec![vec![]; fields.len() - 1 - keys.len()],
+            schema: Arc::new(Schema::new(fields)),
+            accumulator: Accumulator::new(rows, columns.len()),
+            columns,
+            keys,
+            rows,
+            records_per_part: records_per_part.max(1),
+            times: vec![],
+        })
+    }
+
+    /// Number of rows of an instant.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Takes the values of a row after a step, in the order of the columns.
+    ///
+    /// # Panics
+    /// When `row` or the number of values is not that of the table.
+    pub fn observe(&mut self, row: usize, values: &[f64]) {
+        self.accumulator.observe(row, values);
+    }
+
+    /// Records the instant: one row for each key.
+    ///
+    /// # Errors
+    /// When a part is complete and cannot be written.
+    pub fn record(&mut self, time: f64) -> Result<(), RecordingError> {
+        self.times.push(time);
+        let mut buffers = self.buffers.iter_mut();
+        let mut store = |values: &mut dyn Iterator<Item = f64>| {
+            if let Some(buffer) = buffers.next() {
+                buffer.extend(values);
+            }
+        };
+        for (index, column) in self.columns.iter().enumerate() {
+            store(&mut self.accumulator.last(index));
+            if column.has_extremes() {
+                store(&mut self.accumulator.lowest(index));
+                store(&mut self.accumulator.highest(index));
+            }
+        }
+        self.accumulator.restart();
+        match self.times.len() >= self.records_per_part {
+            true => self.flush(),
+            false => Ok(()),
+        }
+    }
+
+    /// Writes what is left and joins the parts into one file.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn finish(mut self) -> Result<(), RecordingError> {
+        self.flush()?;
+        self.parts.join(&self.schema)
+    }
+
+    /// Writes the buffered records as a part.
+    fn flush(&mut self) -> Result<(), RecordingError> {
+        if self.times.is_empty() {
+            return Ok(());
+        }
+        let batch = self.batch();
+        self.parts.write(&self.schema, batch)?;
+        self.times.clear();
+        self.buffers.iter_mut().for_each(Vec::clear);
+        Ok(())
+    }
+
+    /// The buffered records as Arrow has them.
+    fn batch(&self) -> Result<RecordBatch, arrow::error::ArrowError> {
+        let times = self.times.iter();
+        let times = times.flat_map(|&time| std::iter::repeat_n(time, self.rows));
+        let mut arrays: Vec<ArrayRef> = vec![Arc::new(times.collect::<Float64Array>())];
+        arrays.extend(self.keys.iter().map(|key| key.array(self.times.len())));
+
+        let stored = self.columns.iter().flat_map(|column| {
+            let count = if column.has_extremes() { 3 } else { 1 };
+            std::iter::repeat_n(column, count)
+        });
+        let values = stored.zip(&self.buffers);
+        arrays.extend(values.map(|(column, buffer)| column.array(buffer)));
+        RecordBatch::try_new(self.schema.clone(), arrays)
+    }
+}

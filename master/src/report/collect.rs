@@ -1,0 +1,154 @@
+//! Reads from the folder of a run what its report shows.
+
+use std::path::Path;
+
+use field::FieldReader;
+use serde::Deserialize;
+
+use super::ReportError;
+use super::data::{Curve, RailField, ReportData, Snapshot, VehicleSeries};
+use super::facts::{EnergyLine, RunFacts};
+use super::main_figures;
+use crate::recording::{KeyValue, RecordingError, SeriesReader};
+
+/// Column of the train in which the notch stands.
+const NOTCH: &str = "driver.in_force.notch";
+
+/// The part of the manifest that the report needs; the others are for people.
+#[derive(Deserialize)]
+struct Manifest {
+    run: RunFacts,
+}
+
+/// The results of a run, opened.
+pub(super) struct Results {
+    /// Facts of the run.
+    pub facts: RunFacts,
+    /// What train and rail say of themselves.
+    pub train: SeriesReader,
+    /// The vehicles.
+    pub vehicles: SeriesReader,
+    /// Temperature of the heated rail.
+    pub field: Option<FieldReader>,
+}
+
+impl Results {
+    /// Opens `manifest.toml`, `series/` and, if there is one, `rail.zarr` in `folder`.
+    pub fn open(folder: &Path) -> Result<Self, ReportError> {
+        let series = folder.join("series");
+        let field = folder.join("rail.zarr");
+        Ok(Self {
+            facts: facts(&folder.join("manifest.toml"))?,
+            train: SeriesReader::open(&series, "train")?,
+            vehicles: SeriesReader::open(&series, "vehicles")?,
+            field: field.exists().then(|| FieldReader::open(&field)).transpose()?,
+        })
+    }
+}
+
+/// Reads the results of the run in `folder`.
+///
+/// # Errors
+/// When one of them is missing or cannot be read.
+pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
+    let results = Results::open(folder)?;
+    let Results { facts, train, vehicles, field } = &results;
+    let leading = [("vehicle", KeyValue::Integer(1))];
+    let time = vehicles.read("time", &leading)?;
+    let positions = vehicles.read("position", &[])?;
+    let field = field.as_ref().map(|field| rail_field(field, facts, &time, &positions));
+    let plotted = facts.plotted.iter().filter(|&&place| (1..=facts.vehicles).contains(&place));
+    let plotted = plotted.map(|&place| vehicle(vehicles, facts, place));
+    Ok(ReportData {
+        main_figures: main_figures::of_run(&results)?,
+        energy: energy(facts, train),
+        speed: vehicles.read("velocity", &leading)?,
+        notch: match train.columns().any(|column| column.name() == NOTCH) {
+            true => train.read(NOTCH, &[])?,
+            false => vec![],
+        },
+        time,
+        vehicles: plotted.collect::<Result<_, _>>()?,
+        field: field.transpose()?,
+        facts: facts.clone(),
+    })
+}
+
+/// The energies of the run under the descriptions that their columns have.
+fn energy(facts: &RunFacts, train: &SeriesReader) -> Vec<EnergyLine> {
+    let described = |line: &EnergyLine| {
+        let column = train.columns().find(|column| *column.name() == line.name);
+        let description = column.and_then(|column| column.metadata().get("description"));
+        EnergyLine { name: description.unwrap_or(&line.name).to_owned(), joules: line.joules }
+    };
+    facts.energy.iter().map(described).collect()
+}
+
+fn facts(file: &Path) -> Result<RunFacts, ReportError> {
+    let text = std::fs::read_to_string(file)
+        .map_err(|source| ReportError::File { file: file.to_owned(), source })?;
+    let manifest: Manifest = toml::from_str(&text).map_err(|source| ReportError::Manifest {
+        file: file.to_owned(),
+        source: Box::new(source),
+    })?;
+    Ok(manifest.run)
+}
+
+fn vehicle(
+    vehicles: &SeriesReader,
+    facts: &RunFacts,
+    place: usize,
+) -> Result<VehicleSeries, RecordingError> {
+    let number = i32::try_from(place).unwrap_or(i32::MAX);
+    let curve = |column: &str| {
+        let read = |suffix: &str| {
+            let key = [("vehicle", KeyValue::Integer(number))];
+            vehicles.read(&format!("{column}{suffix}"), &key)
+        };
+        Ok::<_, RecordingError>(Curve {
+            value: read("")?,
+            lowest: read("_min")?,
+            highest: read("_max")?,
+        })
+    };
+    Ok(VehicleSeries {
+        place,
+        locomotive: facts.locomotives.contains(&place),
+        coupler_force: curve("coupler_rear_force")?,
+        creep_force: curve("creep_force")?,
+        sync_force: curve("sync_force")?,
+        position_error: curve("position_error")?,
+    })
+}
+
+/// The field at the wanted times, each with the places of the vehicles at that time.
+///
+/// `positions` holds the vehicles' positions record by record. A wanted time that the run has
+/// not reached is left out, as is one that falls on the same snapshot as another.
+fn rail_field(
+    reader: &FieldReader,
+    facts: &RunFacts,
+    time: &[f64],
+    positions: &[f64],
+) -> Result<RailField, ReportError> {
+    let mut field = RailField {
+        chainage: reader.axes().chainage.clone(),
+        depth: reader.axes().depth.clone(),
+        snapshots: vec![],
+    };
+    let reached = time.last().copied().unwrap_or(f64::NEG_INFINITY);
+    for &wanted in facts.heat_maps_at_s.iter().filter(|&&wanted| wanted <= reached) {
+        let snapshot = reader.at_time(wanted)?;
+        if field.snapshots.iter().any(|other| other.time == snapshot.time) {
+            continue;
+        }
+        let record = time.partition_point(|&t| t < snapshot.time - 1e-9);
+        let mut instants = positions.chunks(facts.vehicles.max(1));
+        field.snapshots.push(Snapshot {
+            time: snapshot.time,
+            rise: snapshot.rise,
+            vehicles: instants.nth(record).unwrap_or_default().to_vec(),
+        });
+    }
+    Ok(field)
+}

@@ -1,0 +1,43 @@
+//! What the run itself adds to the results: the part `[run]` of the manifest.
+
+use serde::{Deserialize, Serialize};
+
+/// Facts that stand in no series; the run writes them as the table `run` of `manifest.toml`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct RunFacts {
+    /// Title of the scenario.
+    pub title: String,
+    /// Number of vehicles in the train.
+    pub vehicles: usize,
+    /// Places in the train, from 1, of the vehicles with traction.
+    pub locomotives: Vec<usize>,
+    /// Places in the train, from 1, of the vehicles that the report plots.
+    pub plotted: Vec<usize>,
+    /// Which rail is heated, `left` or `right`; empty without rail heat.
+    #[serde(default)]
+    pub rail: String,
+    /// Times whose temperature field the report shows, s.
+    #[serde(default)]
+    pub heat_maps_at_s: Vec<f64>,
+    /// Chainages at which curves begin and end, transitions included, m.
+    #[serde(default)]
+    pub curves_m: Vec<[f64; 2]>,
+    /// Step of the exchange between the models, s.
+    pub step_s: f64,
+    /// Number of threads.
+    pub threads: usize,
+    /// Wall time of the stepping, s; left out by a run that was killed.
+    pub wall_time_s: Option<f64>,
+    /// Energy audit of the run.
+    #[serde(default)]
+    pub energy: Vec<EnergyLine>,
+}
+
+/// A line of the energy audit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EnergyLine {
+    /// What the energy is.
+    pub name: String,
+    /// Energy, J.
+    pub joules: f64,
+}

@@ -1,0 +1,174 @@
+//! The figures with curves: over time for the plotted vehicles, and along the track.
+
+use std::ops::Range;
+
+use serde::Serialize;
+
+use super::ReportError;
+use super::data::{Curve, RailField, ReportData, VehicleSeries};
+use super::line_chart::LineChart;
+use super::palette;
+use super::quantity::seconds;
+
+/// A figure: panels one below the other.
+#[derive(Serialize)]
+pub(super) struct Figure {
+    title: &'static str,
+    caption: &'static str,
+    panels: Vec<Panel>,
+}
+
+#[derive(Serialize)]
+struct Panel {
+    name: &'static str,
+    legend: Vec<LegendEntry>,
+    svg: String,
+}
+
+#[derive(Serialize)]
+struct LegendEntry {
+    label: String,
+    colour: String,
+}
+
+/// The figures over time.
+pub(super) fn over_time(data: &ReportData) -> Result<Vec<Figure>, ReportError> {
+    let of_vehicles = |title, caption, quantity, unit, pick| {
+        vehicle_figure(data, title, caption, quantity, unit, pick)
+    };
+    Ok(vec![
+        motion_figure(data)?,
+        of_vehicles(
+            "Coupler forces",
+            "Force in the rear coupler of each vehicle, positive in tension (the paper's figure 8).",
+            "Coupler force",
+            "N",
+            |vehicle| &vehicle.coupler_force,
+        )?,
+        of_vehicles(
+            "Longitudinal creep forces",
+            "Sum over all wheels of a vehicle, positive in traction (the paper's figure 9).",
+            "Creep force",
+            "N",
+            |vehicle| &vehicle.creep_force,
+        )?,
+        of_vehicles(
+            "Synchronisation forces",
+            "Force that keeps each vehicle at its place in the train (the paper's figure 10).",
+            "Force",
+            "N",
+            |vehicle| &vehicle.sync_force,
+        )?,
+        of_vehicles(
+            "Position errors",
+            "Position of the vehicle model less that of the train model (the paper's figure 6).",
+            "Error",
+            "m",
+            |vehicle| &vehicle.position_error,
+        )?,
+    ])
+}
+
+/// Speed and notch over time.
+fn motion_figure(data: &ReportData) -> Result<Figure, ReportError> {
+    let (speed, notch) = (Curve::plain(data.speed.clone()), Curve::plain(data.notch.clone()));
+    let chart = LineChart {
+        title: "Speed",
+        horizontal: "Time in s",
+        places: &data.time,
+        quantity: "Speed in m/s",
+        unit: "",
+        height: 460,
+        curves: vec![&speed],
+        first_colour: 0,
+        steps: false,
+    };
+    let mut panels = vec![Panel { name: "", legend: vec![], svg: chart.svg()? }];
+    if !data.notch.is_empty() {
+        let chart = LineChart {
+            title: "Notch",
+            quantity: "Notch",
+            height: 340,
+            curves: vec![&notch],
+            steps: true,
+            ..chart
+        };
+        panels.push(Panel { name: "", legend: vec![], svg: chart.svg()? });
+    }
+    Ok(Figure {
+        title: "Speed and notch",
+        caption: "Speed of the leading vehicle, and notch of the locomotives.",
+        panels,
+    })
+}
+
+/// A quantity of the plotted vehicles over time: locomotives and wagons have a panel each, as
+/// their forces differ in size.
+fn vehicle_figure(
+    data: &ReportData,
+    title: &'static str,
+    caption: &'static str,
+    quantity: &'static str,
+    unit: &'static str,
+    pick: fn(&VehicleSeries) -> &Curve,
+) -> Result<Figure, ReportError> {
+    let (locomotives, wagons): (Vec<_>, Vec<_>) =
+        data.vehicles.iter().partition(|vehicle| vehicle.locomotive);
+    let wagon_colour = locomotives.len();
+    let groups = [("Locomotives", locomotives, 0), ("Wagons", wagons, wagon_colour)];
+    let mut panels = vec![];
+    for (name, vehicles, first_colour) in groups {
+        if vehicles.is_empty() {
+            continue;
+        }
+        let chart = LineChart {
+            title,
+            horizontal: "Time in s",
+            places: &data.time,
+            quantity,
+            unit,
+            height: 460,
+            curves: vehicles.iter().map(|vehicle| pick(vehicle)).collect(),
+            first_colour,
+            steps: false,
+        };
+        let labels = vehicles.iter().map(|vehicle| format!("vehicle {}", vehicle.place));
+        panels.push(Panel { name, legend: legend(labels, first_colour), svg: chart.svg()? });
+    }
+    Ok(Figure { title, caption, panels })
+}
+
+/// Rise on the surface along the track, a line for each time.
+pub(super) fn surface(field: &RailField, elements: Range<usize>) -> Result<Figure, ReportError> {
+    let rises = |snapshot| {
+        let rises = field.surface(snapshot).skip(elements.start).take(elements.len());
+        Curve::plain(rises.map(f64::from).collect())
+    };
+    let curves: Vec<Curve> = field.snapshots.iter().map(rises).collect();
+    let chart = LineChart {
+        title: "Surface rise along the track",
+        horizontal: "Chainage in m",
+        places: &field.chainage[elements.clone()],
+        quantity: "Rise",
+        unit: "K",
+        height: 460,
+        curves: curves.iter().collect(),
+        first_colour: 0,
+        steps: false,
+    };
+    let labels = field.snapshots.iter().map(|snapshot| format!("at {} s", seconds(snapshot.time)));
+    Ok(Figure {
+        title: "Surface rise along the track",
+        caption: "Rise in the uppermost cell; bands show the range of the elements within a pixel.",
+        panels: vec![Panel { name: "", legend: legend(labels, 0), svg: chart.svg()? }],
+    })
+}
+
+/// The labels with the colours of their lines.
+fn legend(labels: impl Iterator<Item = String>, first_colour: usize) -> Vec<LegendEntry> {
+    let entry = |(index, label)| LegendEntry {
+        label,
+        colour: palette::html(palette::line(first_colour + index)),
+    };
+    labels.enumerate().map(entry).collect()
+}

@@ -1,0 +1,81 @@
+//! The report of a run: one self-contained page with the main figures and the paper's figures
+//! 8 to 12 (Bosomworth et al. 2018).
+//!
+//! | file | part |
+//! |---|---|
+//! | `data.rs` | what the report shows |
+//! | `facts.rs` | what the run itself adds to the results: the part `[run]` of the manifest |
+//! | `collect.rs` | reads it from the folder of a run |
+//! | `main_figures.rs` | the table of main figures |
+//! | `quantity.rs` | numbers with SI prefixes |
+//! | `figures.rs` | the figures with curves |
+//! | `palette.rs` | colours of lines and of heat |
+//! | `line_chart.rs` | curves over time or chainage, as SVG |
+//! | `heat_map.rs` | temperature rise over chainage and depth, as a picture with axes |
+//! | `page.rs` | the page, from `templates/report.html` |
+//! | `write.rs` | all of it: from a results folder to `report.html` |
+//!
+//! The page refers to nothing outside itself: drawings are inline SVG, pictures are data URIs.
+
+mod collect;
+mod data;
+mod facts;
+mod figures;
+mod heat_map;
+mod line_chart;
+mod main_figures;
+mod page;
+mod palette;
+mod quantity;
+mod write;
+
+#[cfg(test)]
+mod tests;
+
+use std::path::PathBuf;
+
+use crate::recording::RecordingError;
+
+use collect::collect;
+pub use data::MainFigure;
+pub use facts::{EnergyLine, RunFacts};
+use page::render;
+pub use write::write;
+
+/// Why a report cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// A series cannot be read.
+    #[error(transparent)]
+    Series(#[from] RecordingError),
+    /// The rail's field cannot be read.
+    #[error(transparent)]
+    Field(#[from] field::FieldError),
+    /// A file cannot be read or written.
+    #[error("{file}: {source}")]
+    File {
+        /// File.
+        file: PathBuf,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// The manifest is not what a run writes.
+    #[error("{file}: {source}")]
+    Manifest {
+        /// The manifest.
+        file: PathBuf,
+        /// Reason, with line and caret.
+        source: Box<toml::de::Error>,
+    },
+    /// A figure cannot be drawn.
+    #[error("figure \"{figure}\": {reason}")]
+    Drawing {
+        /// Its title.
+        figure: String,
+        /// Reason.
+        reason: String,
+    },
+    /// The page cannot be made from its template.
+    #[error("report page: {0}")]
+    Page(#[from] minijinja::Error),
+}

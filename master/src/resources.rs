@@ -1,0 +1,72 @@
+//! The resources that Hotfoot's own FMUs need for a scenario: what is in the `resources` folder
+//! of each, so that the packed FMUs run in any tool without further files.
+
+use std::path::Path;
+
+use serde::Serialize;
+
+use crate::pack::{PackError, copy_folder, write};
+use crate::scenario::{Heat, Scenario};
+
+/// Writes the resources of the train: consist, driver, track and stock library.
+///
+/// # Errors
+/// When a file cannot be read or written.
+pub fn write_longitudinal(scenario: &Scenario, folder: &Path) -> Result<(), PackError> {
+    #[derive(Serialize)]
+    struct Consist<'a> {
+        vehicle: &'a [crate::scenario::VehicleGroup],
+    }
+    let consist = Consist { vehicle: &scenario.train.vehicles };
+    write(&folder.join("consist.toml"), to_toml(&consist).as_bytes())?;
+    copy_file(&scenario.driver.file, &folder.join("driver.toml"))?;
+    write_track_and_stock(scenario, folder)
+}
+
+/// Writes the resources of a vehicle of type `kind`: vehicle, track and stock library.
+///
+/// # Errors
+/// When a file cannot be read or written.
+pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<(), PackError> {
+    #[derive(Serialize)]
+    struct Vehicle<'a> {
+        extends: &'a str,
+    }
+    write(&folder.join("vehicle.toml"), to_toml(&Vehicle { extends: kind }).as_bytes())?;
+    write_track_and_stock(scenario, folder)
+}
+
+/// Writes the resources of the rail: what shapes its interface.
+///
+/// # Errors
+/// When a file cannot be written.
+pub fn write_railheat(heat: &Heat, wheelsets: &[usize], folder: &Path) -> Result<(), PackError> {
+    #[derive(Serialize)]
+    struct RailHeat<'a> {
+        wheelsets_per_vehicle: &'a [usize],
+        depths_mm: &'a [f64],
+        probe: &'a [crate::scenario::Probe],
+    }
+    let file = RailHeat {
+        wheelsets_per_vehicle: wheelsets,
+        depths_mm: &heat.depths_mm,
+        probe: &heat.probe,
+    };
+    write(&folder.join("railheat.toml"), to_toml(&file).as_bytes())
+}
+
+fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<(), PackError> {
+    copy_file(&scenario.track.file, &folder.join("track.toml"))?;
+    copy_folder(&scenario.stock, &folder.join("stock"))
+}
+
+fn copy_file(from: &Path, to: &Path) -> Result<(), PackError> {
+    let bytes = std::fs::read(from)
+        .map_err(|source| PackError::Io { path: from.display().to_string(), source })?;
+    write(to, &bytes)
+}
+
+/// Our own small structures always have a TOML form.
+fn to_toml(value: &impl Serialize) -> String {
+    toml::to_string(value).expect("tables of numbers and texts")
+}

@@ -1,0 +1,240 @@
+//! The three roles of a run, and the signals that an FMU must or may have to fill one: the order
+//! of the names here is the order of the exchange.
+
+use std::collections::BTreeMap;
+
+use crate::interface::Interface;
+use crate::port::{Port, Signal};
+
+/// Outputs of the train for each vehicle, `vehicle[i].…`.
+pub mod train {
+    /// Places of a vehicle's outputs in its block.
+    pub const POSITION: usize = 0;
+    /// Speed.
+    pub const VELOCITY: usize = 1;
+    /// Force of the front coupler, tension positive.
+    pub const COUPLER_FRONT: usize = 2;
+    /// Force of the rear coupler, tension positive.
+    pub const COUPLER_REAR: usize = 3;
+    /// Propulsion resistance, negative when moving forward.
+    pub const RESISTANCE: usize = 4;
+    /// Traction at the wheel rims, negative: dynamic brake.
+    pub const TRACTION: usize = 5;
+    /// Friction brake at the treads.
+    pub const BRAKE: usize = 6;
+    /// Names after `vehicle[i].`; the first four are required.
+    pub const NAMES: [&str; 7] = [
+        "position",
+        "velocity",
+        "coupler.front.force",
+        "coupler.rear.force",
+        "resistance.force",
+        "traction.force",
+        "brake.force",
+    ];
+    /// How many of the names are required.
+    pub const REQUIRED: usize = 4;
+}
+
+/// Inputs of a vehicle.
+pub mod vehicle_input {
+    /// Force of the front coupler, tension positive.
+    pub const COUPLER_FRONT: usize = 0;
+    /// Force of the rear coupler, tension positive.
+    pub const COUPLER_REAR: usize = 1;
+    /// Force of the synchronisation controller.
+    pub const SYNCHRONISATION: usize = 2;
+    /// Propulsion resistance.
+    pub const RESISTANCE: usize = 3;
+    /// Traction at the wheel rims.
+    pub const TRACTION: usize = 4;
+    /// Friction brake at the treads.
+    pub const BRAKE: usize = 5;
+    /// Names; the first three are required.
+    pub const NAMES: [&str; 6] = [
+        "coupler.front.force",
+        "coupler.rear.force",
+        "sync.force",
+        "resistance.force",
+        "traction.force",
+        "brake.force",
+    ];
+    /// How many of the names are required.
+    pub const REQUIRED: usize = 3;
+}
+
+/// Outputs of a vehicle: those of the vehicle, then a block for each wheelset.
+pub mod vehicle_output {
+    /// Chainage of the vehicle's middle.
+    pub const POSITION: usize = 0;
+    /// Speed.
+    pub const VELOCITY: usize = 1;
+    /// Acceleration.
+    pub const ACCELERATION: usize = 2;
+    /// Names; the first two are required.
+    pub const NAMES: [&str; 3] = ["position", "velocity", "acceleration"];
+    /// How many of the names are required.
+    pub const REQUIRED: usize = 2;
+
+    /// Names of a wheel's outputs after `wheelset[j].left.`, all optional.
+    pub const WHEEL_NAMES: [&str; 10] = [
+        "creepage.longitudinal",
+        "creepage.lateral",
+        "creepage.spin",
+        "force.longitudinal",
+        "force.lateral",
+        "force.normal",
+        "friction_power",
+        "contact.a",
+        "contact.b",
+        "contact.lateral_position",
+    ];
+    /// Place of a wheel's longitudinal creep force in its block.
+    pub const FORCE_LONGITUDINAL: usize = 3;
+    /// Place of a wheel's friction power in its block.
+    pub const FRICTION_POWER: usize = 6;
+    /// Length of a wheelset's block: its position and two wheels.
+    pub const WHEELSET_BLOCK: usize = 1 + 2 * WHEEL_NAMES.len();
+
+    /// Where wheelset `j`'s block begins, counted from zero; its position comes first.
+    pub const fn wheelset(j: usize) -> usize {
+        NAMES.len() + j * WHEELSET_BLOCK
+    }
+
+    /// Where the block of a wheel begins: `side` 0 is left, 1 is right.
+    pub const fn wheel(j: usize, side: usize) -> usize {
+        wheelset(j) + 1 + side * WHEEL_NAMES.len()
+    }
+}
+
+/// The names of the two sides in the order of the exchange.
+pub const SIDES: [&str; 2] = ["left", "right"];
+
+/// Inputs of the rail for each wheelset, `vehicle[i].wheelset[j].…`.
+pub mod rail_input {
+    /// Place of the wheelset's chainage in its block; only it and the speed are required.
+    pub const POSITION: usize = 0;
+    /// Place of the wheelset's speed.
+    pub const SPEED: usize = 1;
+    /// Names after `vehicle[i].wheelset[j].`; from the third on they are those of the wheel.
+    pub const NAMES: [&str; 8] = [
+        "position",
+        "speed",
+        "creepage.longitudinal",
+        "force.normal",
+        "friction_power",
+        "contact.a",
+        "contact.b",
+        "contact.lateral_position",
+    ];
+    /// Places in a wheel's output block from which the third and later inputs are taken.
+    pub const FROM_WHEEL: [usize; 6] = [0, 5, 6, 7, 8, 9];
+    /// How many of the names are required.
+    pub const REQUIRED: usize = 2;
+}
+
+/// What an FMU does in a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Role {
+    /// The train: one degree of freedom a vehicle.
+    Longitudinal,
+    /// One vehicle in three dimensions.
+    Vehicle,
+    /// One rail's temperature.
+    Railheat,
+}
+
+/// Signals of a role by causality.
+#[derive(Debug, Clone, Default)]
+pub struct RoleSignals {
+    /// Parameters.
+    pub parameters: Vec<Signal>,
+    /// Inputs.
+    pub inputs: Vec<Signal>,
+    /// Outputs.
+    pub outputs: Vec<Signal>,
+}
+
+/// Names under a prefix, the first `required` of them required.
+fn signals(prefix: &str, names: &[&str], required: usize) -> impl Iterator<Item = Signal> {
+    names.iter().enumerate().map(move |(i, name)| Signal {
+        name: format!("{prefix}{name}"),
+        required: i < required,
+    })
+}
+
+/// Signals of a longitudinal FMU for a train of `vehicles`.
+pub fn longitudinal_signals(vehicles: usize) -> RoleSignals {
+    let block = |i| signals(&format!("vehicle[{i}]."), &train::NAMES, train::REQUIRED).collect::<Vec<_>>();
+    RoleSignals {
+        parameters: start_parameters(),
+        inputs: vec![],
+        outputs: (1..=vehicles).flat_map(block).collect(),
+    }
+}
+
+/// Signals of a vehicle FMU with so many wheelsets.
+pub fn vehicle_signals(wheelsets: usize) -> RoleSignals {
+    let mut outputs: Vec<Signal> =
+        signals("", &vehicle_output::NAMES, vehicle_output::REQUIRED).collect();
+    for j in 1..=wheelsets {
+        outputs.push(Signal::optional(format!("wheelset[{j}].position")));
+        for side in SIDES {
+            let prefix = format!("wheelset[{j}].{side}.");
+            outputs.extend(signals(&prefix, &vehicle_output::WHEEL_NAMES, 0));
+        }
+    }
+    RoleSignals {
+        parameters: start_parameters(),
+        inputs: signals("", &vehicle_input::NAMES, vehicle_input::REQUIRED).collect(),
+        outputs,
+    }
+}
+
+/// Signals of a rail-heat FMU for vehicles with so many wheelsets each.
+pub fn railheat_signals(wheelsets: &[usize]) -> RoleSignals {
+    let mut inputs = vec![];
+    for (i, &count) in wheelsets.iter().enumerate() {
+        for j in 1..=count {
+            let prefix = format!("vehicle[{}].wheelset[{j}].", i + 1);
+            inputs.extend(signals(&prefix, &rail_input::NAMES, rail_input::REQUIRED));
+        }
+    }
+    RoleSignals { parameters: vec![], inputs, outputs: vec![] }
+}
+
+fn start_parameters() -> Vec<Signal> {
+    vec![Signal::required("initial.position"), Signal::required("initial.velocity")]
+}
+
+/// What an interface lacks to fill a role, a sentence each.
+pub fn missing(interface: &Interface, role: Role) -> Vec<String> {
+    let wanted = match role {
+        Role::Longitudinal => {
+            longitudinal_signals(interface.count("vehicle", "position").max(1))
+        }
+        Role::Vehicle => vehicle_signals(wheelset_count(interface)),
+        Role::Railheat => railheat_signals(&rail_wheelsets(interface)),
+    };
+    let groups = [
+        (&wanted.parameters, "parameter"),
+        (&wanted.inputs, "input"),
+        (&wanted.outputs, "output"),
+    ];
+    let connect = |(signals, causality): (&Vec<Signal>, &str)| {
+        Port::connect(interface, signals, causality, &BTreeMap::new()).err().unwrap_or_default()
+    };
+    groups.into_iter().flat_map(connect).collect()
+}
+
+/// Number of wheelsets of a vehicle FMU.
+pub fn wheelset_count(interface: &Interface) -> usize {
+    interface.count("wheelset", "position")
+}
+
+/// Number of wheelsets of each vehicle of a rail-heat FMU; at least one vehicle with one.
+fn rail_wheelsets(interface: &Interface) -> Vec<usize> {
+    let count = |i: usize| interface.count(&format!("vehicle[{i}].wheelset"), "position");
+    let counts: Vec<usize> = (1..).map(count).take_while(|&count| count > 0).collect();
+    if counts.is_empty() { vec![1] } else { counts }
+}

@@ -1,0 +1,306 @@
+//! The keys of a scenario file.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use garde::Validate;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What is run: the train on its track, how it is driven, what is computed and recorded.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Scenario {
+    /// Title for the report.
+    #[garde(length(min = 1))]
+    pub title: String,
+    /// Simulated time, s.
+    #[garde(range(min = 0.001, max = 1e7))]
+    pub duration_s: f64,
+    /// Step of the exchange between the models, s.
+    #[serde(default = "default_step")]
+    #[garde(range(min = 1e-6, max = 1.0))]
+    pub step_s: f64,
+    /// Order of the exchange.
+    #[serde(default)]
+    #[garde(skip)]
+    pub scheme: Scheme,
+    /// Folder of the rolling-stock library, relative to the scenario's file.
+    #[serde(default = "default_stock")]
+    #[garde(skip)]
+    pub stock: PathBuf,
+    /// The train.
+    #[garde(dive)]
+    pub train: Train,
+    /// The track.
+    #[garde(dive)]
+    pub track: Track,
+    /// The driver.
+    #[garde(dive)]
+    pub driver: Driver,
+    /// How vehicles are kept at their place in the train.
+    #[serde(default)]
+    #[garde(dive)]
+    pub synchronisation: Synchronisation,
+    /// Rail heat; left out: no rail is heated.
+    #[garde(dive)]
+    pub heat: Option<Heat>,
+    /// FMUs that replace Hotfoot's own.
+    #[serde(default)]
+    #[garde(dive)]
+    pub fmus: Fmus,
+    /// What is recorded.
+    #[serde(default)]
+    #[garde(dive)]
+    pub record: Record,
+}
+
+/// Order of the exchange between the models (docs/user-guide, "The step").
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scheme {
+    /// The train first, then the vehicles with its new forces, then the rail.
+    #[default]
+    Sequential,
+    /// All models take the values of the last communication point.
+    Jacobi,
+}
+
+/// The train from head to tail.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Train {
+    /// Chainage of the middle of the leading vehicle at the start, m.
+    #[serde(default)]
+    #[garde(range(min = -1e7, max = 1e7))]
+    pub leading_vehicle_position_m: f64,
+    /// Speed at the start, m/s.
+    #[garde(range(min = 0.0, max = 60.0))]
+    pub speed_m_per_s: f64,
+    /// Groups of equal vehicles from head to tail.
+    #[garde(length(min = 1), dive)]
+    pub vehicles: Vec<VehicleGroup>,
+}
+
+/// A number of equal vehicles one behind the other.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct VehicleGroup {
+    /// Name of a vehicle type: a file in the folder `vehicles` of the stock library.
+    #[serde(rename = "type")]
+    #[garde(length(min = 1))]
+    pub kind: String,
+    /// How many.
+    #[serde(default = "one")]
+    #[garde(range(min = 1, max = 1000))]
+    pub count: usize,
+}
+
+/// The track.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Track {
+    /// Track file, relative to the scenario's file.
+    #[garde(skip)]
+    pub file: PathBuf,
+}
+
+/// The driver.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Driver {
+    /// Driver file, relative to the scenario's file.
+    #[garde(skip)]
+    pub file: PathBuf,
+}
+
+/// Gains of the controllers that keep each vehicle at its place in the train:
+/// F = -(Kp e + Ki ∫e dt + Kd de/dt), e = position of the vehicle less its place in the train.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields, default)]
+pub struct Synchronisation {
+    /// Kp, kN/m; 0 is velocity-only control.
+    #[garde(range(min = 0.0, max = 1e6))]
+    pub kp_kn_per_m: f64,
+    /// Ki, kN/(m s).
+    #[garde(range(min = 0.0, max = 1e6))]
+    pub ki_kn_per_m_s: f64,
+    /// Kd, kN/(m/s).
+    #[garde(range(min = 0.0, max = 1e6))]
+    pub kd_kn_s_per_m: f64,
+    /// Largest magnitude of the force, kN.
+    #[garde(range(min = 0.0, max = 1e6))]
+    pub limit_kn: f64,
+}
+
+impl Default for Synchronisation {
+    /// The gains of Bosomworth et al. (2018), section 2.2.3; the limit is far above what is
+    /// needed, so that reaching it shows an error elsewhere.
+    fn default() -> Self {
+        Self { kp_kn_per_m: 2.0, ki_kn_per_m_s: 0.0, kd_kn_s_per_m: 10.0, limit_kn: 500.0 }
+    }
+}
+
+/// Rail heat.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Heat {
+    /// Which rail is heated.
+    #[serde(default)]
+    #[garde(skip)]
+    pub rail: Rail,
+    /// Step of the exchange with the rail, s: a multiple of the scenario's `step_s`; what the
+    /// wheels do in between is averaged.
+    #[garde(range(min = 1e-6, max = 10.0))]
+    pub step_s: Option<f64>,
+    /// Chainage at which the modelled rail begins, m; left out: behind the tail of the train.
+    #[garde(skip)]
+    pub begin_m: Option<f64>,
+    /// Length of the modelled rail, m; left out: as far as the leading vehicle may come.
+    #[garde(range(min = 1.0, max = 1e6))]
+    pub length_m: Option<f64>,
+    /// Time between two records of the temperature field, s.
+    #[serde(default = "default_field_interval")]
+    #[garde(range(min = 0.01, max = 1e6))]
+    pub field_interval_s: f64,
+    /// Depths below the crown at which the highest rise is given, mm.
+    #[serde(default = "default_depths")]
+    #[garde(inner(range(min = 0.0, max = 200.0)))]
+    pub depths_mm: Vec<f64>,
+    /// Places whose temperature is recorded.
+    #[serde(default)]
+    #[garde(dive)]
+    pub probe: Vec<Probe>,
+    /// Further Real parameters of the rail-heat FMU by name.
+    #[serde(default)]
+    #[garde(skip)]
+    pub parameters: BTreeMap<String, f64>,
+}
+
+/// One of the two rails, seen in the running direction.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rail {
+    /// The left rail (the paper's).
+    #[default]
+    Left,
+    /// The right rail.
+    Right,
+}
+
+impl Rail {
+    /// The word in signal names.
+    pub fn side(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
+/// A place on the rail.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Probe {
+    /// Chainage, m.
+    #[garde(range(min = -1e7, max = 1e7))]
+    pub chainage_m: f64,
+}
+
+/// FMUs that replace Hotfoot's own.
+#[derive(Debug, Clone, Default, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields, default)]
+pub struct Fmus {
+    /// For the whole train.
+    #[garde(skip)]
+    pub longitudinal: Option<PathBuf>,
+    /// For all vehicles.
+    #[garde(skip)]
+    pub vehicle: Option<PathBuf>,
+    /// For the rail.
+    #[garde(skip)]
+    pub railheat: Option<PathBuf>,
+    /// For single vehicles.
+    #[garde(dive)]
+    pub vehicle_at: Vec<VehicleReplacement>,
+}
+
+/// An FMU for one vehicle.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct VehicleReplacement {
+    /// Place in the train, counted from one.
+    #[garde(range(min = 1))]
+    pub place: usize,
+    /// FMU, relative to the scenario's file.
+    #[garde(skip)]
+    pub file: PathBuf,
+    /// Its names for our signals, where they differ: `"sync.force" = "control_force"`.
+    #[serde(default)]
+    #[garde(skip)]
+    pub names: BTreeMap<String, String>,
+}
+
+/// What is recorded.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields, default)]
+pub struct Record {
+    /// Time between two rows, s; extremes in between are kept.
+    #[garde(range(min = 1e-6, max = 1e4))]
+    pub interval_s: f64,
+    /// Places in the train (from one) of the vehicles whose wheels are recorded and which the
+    /// report plots; left out: the locomotive at the head, a second one, and three more.
+    #[garde(inner(range(min = 1)))]
+    pub wheels_of: Vec<usize>,
+    /// Times whose temperature field the report shows, s.
+    #[garde(inner(range(min = 0.0)))]
+    pub heat_maps_at_s: Vec<f64>,
+}
+
+impl Default for Record {
+    /// 10 Hz, and the times of the paper's figures 11 and 12.
+    fn default() -> Self {
+        Self { interval_s: 0.1, wheels_of: vec![], heat_maps_at_s: vec![60.0, 160.0] }
+    }
+}
+
+fn default_step() -> f64 {
+    1e-3
+}
+
+fn default_stock() -> PathBuf {
+    PathBuf::from("../../stock")
+}
+
+fn one() -> usize {
+    1
+}
+
+fn default_field_interval() -> f64 {
+    10.0
+}
+
+fn default_depths() -> Vec<f64> {
+    vec![20.0, 60.0]
+}
+
+impl Scenario {
+    /// Number of vehicles in the train.
+    pub fn vehicle_count(&self) -> usize {
+        self.train.vehicles.iter().map(|group| group.count).sum()
+    }
+
+    /// The vehicles whose wheels are recorded: those asked for, or the head of the train, its
+    /// second vehicle, one near the head, the middle and the tail.
+    pub fn recorded_vehicles(&self) -> Vec<usize> {
+        let count = self.vehicle_count();
+        let mut places = match self.record.wheels_of.as_slice() {
+            [] => vec![1, 2, 3, count.div_ceil(2), count],
+            given => given.to_vec(),
+        };
+        places.retain(|&place| place <= count);
+        places.sort_unstable();
+        places.dedup();
+        places
+    }
+}

@@ -1,0 +1,241 @@
+//! Reading a scenario file, with messages that point at the line.
+
+use std::path::{Path, PathBuf};
+
+use garde::Validate;
+use miette::{Diagnostic, NamedSource, SourceSpan};
+use toml::de::{DeTable, DeValue};
+
+use super::file::Scenario;
+
+/// Why a scenario cannot be run.
+#[derive(Debug, thiserror::Error, Diagnostic)]
+pub enum ScenarioError {
+    /// The file cannot be read.
+    #[error("scenario {file} cannot be read: {source}")]
+    Read {
+        /// File.
+        file: String,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// A key or value is wrong.
+    #[error("scenario {file}: {message}")]
+    Wrong {
+        /// File.
+        file: String,
+        /// What is wrong and what is allowed.
+        message: String,
+        /// The text of the file.
+        #[source_code]
+        text: NamedSource<String>,
+        /// Where.
+        #[label("here")]
+        place: Option<SourceSpan>,
+    },
+    /// A file that the scenario names is missing.
+    #[error("scenario {file}: {key} = \"{value}\": there is no such {what} at {path}")]
+    Missing {
+        /// Scenario.
+        file: String,
+        /// Key.
+        key: String,
+        /// Value.
+        value: String,
+        /// What it should be.
+        what: &'static str,
+        /// Path looked at.
+        path: String,
+    },
+}
+
+/// Reads the scenario at `path` (the file, or the folder with `scenario.toml`), checks it, and
+/// makes the paths in it absolute. Gives the scenario, its file and its text.
+///
+/// # Errors
+/// When the file cannot be read or something in it is wrong.
+pub fn load(path: &Path) -> Result<(Scenario, PathBuf, String), ScenarioError> {
+    let file = if path.is_dir() { path.join("scenario.toml") } else { path.to_owned() };
+    let name = file.display().to_string();
+    let text = std::fs::read_to_string(&file)
+        .map_err(|source| ScenarioError::Read { file: name.clone(), source })?;
+    let mut scenario = parse(&text, &name)?;
+    let folder = std::path::absolute(&file)
+        .ok()
+        .and_then(|file| file.parent().map(Path::to_owned))
+        .unwrap_or_default();
+    resolve_paths(&mut scenario, &folder, &name)?;
+    Ok((scenario, file, text))
+}
+
+fn parse(text: &str, name: &str) -> Result<Scenario, ScenarioError> {
+    let wrong = |message: String, place: Option<std::ops::Range<usize>>| ScenarioError::Wrong {
+        file: name.to_owned(),
+        message,
+        text: NamedSource::new(name, text.to_owned()).with_language("toml"),
+        place: place.map(SourceSpan::from),
+    };
+    let scenario: Scenario = toml::from_str(text)
+        .map_err(|error| wrong(error.message().trim().replace('\n', "; "), error.span()))?;
+    if let Err(report) = scenario.validate()
+        && let Some((path, error)) = report.iter().next()
+    {
+        let key = path.to_string();
+        return Err(wrong(format!("{key}: {error}"), span_of(text, &key)));
+    }
+    check_across_keys(&scenario)
+        .map_err(|(key, message)| wrong(format!("{key}: {message}"), span_of(text, key)))?;
+    Ok(scenario)
+}
+
+/// Rules that concern more than one key.
+fn check_across_keys(scenario: &Scenario) -> Result<(), (&'static str, String)> {
+    let count = scenario.vehicle_count();
+    if let Some(replaced) = scenario.fmus.vehicle_at.iter().find(|v| v.place > count) {
+        let message = format!("place {} is behind the tail: the train has {count} vehicles", replaced.place);
+        return Err(("fmus.vehicle_at", message));
+    }
+    if let Some(place) = scenario.record.wheels_of.iter().find(|&&place| place > count) {
+        let message = format!("{place} is behind the tail: the train has {count} vehicles");
+        return Err(("record.wheels_of", message));
+    }
+    if let Some(step) = scenario.heat.as_ref().and_then(|heat| heat.step_s)
+        && !is_multiple(step, scenario.step_s)
+    {
+        let message = format!("{step} s is not a multiple of step_s = {} s", scenario.step_s);
+        return Err(("heat.step_s", message));
+    }
+    if !is_multiple(scenario.record.interval_s, scenario.step_s) {
+        let message = format!(
+            "{} s is not a multiple of step_s = {} s",
+            scenario.record.interval_s, scenario.step_s
+        );
+        return Err(("record.interval_s", message));
+    }
+    Ok(())
+}
+
+/// Whether `value` is `step` times a whole number from one.
+fn is_multiple(value: f64, step: f64) -> bool {
+    let times = (value / step).round();
+    times >= 1.0 && (times * step - value).abs() <= 1e-9 * value
+}
+
+/// Where the value of a key such as `train.vehicles[0].count` stands in the text.
+fn span_of(text: &str, key: &str) -> Option<std::ops::Range<usize>> {
+    let root = DeTable::parse(text).ok()?;
+    let mut span = None;
+    let mut value: Option<&DeValue<'_>> = None;
+    for step in key.split(['.', '[', ']']).filter(|step| !step.is_empty()) {
+        let found = match (value, step.parse::<usize>()) {
+            (None, _) => root.get_ref().get(step)?,
+            (Some(DeValue::Table(table)), _) => table.get(step)?,
+            (Some(DeValue::Array(array)), Ok(index)) => array.get(index)?,
+            _ => return span,
+        };
+        span = Some(found.span());
+        value = Some(found.get_ref());
+    }
+    span
+}
+
+/// Makes the paths absolute and checks that they are there.
+fn resolve_paths(scenario: &mut Scenario, folder: &Path, file: &str) -> Result<(), ScenarioError> {
+    let resolve = |path: &mut PathBuf, key: &str, what: &'static str| {
+        let full = folder.join(&*path);
+        if full.exists() {
+            *path = full;
+            return Ok(());
+        }
+        Err(ScenarioError::Missing {
+            file: file.to_owned(),
+            key: key.to_owned(),
+            value: path.display().to_string(),
+            what,
+            path: full.display().to_string(),
+        })
+    };
+    resolve(&mut scenario.stock, "stock", "folder")?;
+    resolve(&mut scenario.track.file, "track.file", "track file")?;
+    resolve(&mut scenario.driver.file, "driver.file", "driver file")?;
+    let fmus = &mut scenario.fmus;
+    for (key, path) in [
+        ("fmus.longitudinal", &mut fmus.longitudinal),
+        ("fmus.vehicle", &mut fmus.vehicle),
+        ("fmus.railheat", &mut fmus.railheat),
+    ] {
+        if let Some(path) = path {
+            resolve(path, key, "FMU")?;
+        }
+    }
+    for (i, replacement) in fmus.vehicle_at.iter_mut().enumerate() {
+        resolve(&mut replacement.file, &format!("fmus.vehicle_at[{i}].file"), "FMU")?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GOOD: &str = r#"
+title = "t"
+duration_s = 1.0
+[train]
+speed_m_per_s = 16.67
+[[train.vehicles]]
+type = "locomotive"
+count = 2
+[track]
+file = "track.toml"
+[driver]
+file = "driver.toml"
+"#;
+
+    fn message(text: &str) -> (String, Option<String>) {
+        match parse(text, "s.toml").unwrap_err() {
+            ScenarioError::Wrong { message, place, .. } => {
+                let at = place.map(|p| text[p.offset()..p.offset() + p.len()].to_owned());
+                (message, at)
+            }
+            other => panic!("unexpected {other}"),
+        }
+    }
+
+    #[test]
+    fn a_good_scenario_has_the_defaults_of_the_paper() {
+        let scenario = parse(GOOD, "s.toml").unwrap();
+        assert_eq!(scenario.step_s, 1e-3);
+        assert_eq!(scenario.synchronisation.kp_kn_per_m, 2.0);
+        assert_eq!(scenario.synchronisation.kd_kn_s_per_m, 10.0);
+        assert_eq!(scenario.vehicle_count(), 2);
+    }
+
+    #[test]
+    fn a_typo_is_answered_with_its_place_and_the_keys_allowed() {
+        let (message, at) = message(&GOOD.replace("duration_s", "duraton_s"));
+        assert!(message.contains("unknown field `duraton_s`"), "{message}");
+        assert!(message.contains("duration_s"), "{message}");
+        assert_eq!(at.as_deref(), Some("duraton_s"));
+    }
+
+    #[test]
+    fn a_step_of_zero_is_answered_with_its_place_and_bounds() {
+        let (message, at) = message(&GOOD.replace("duration_s = 1.0", "duration_s = 1.0\nstep_s = 0.0"));
+        assert_eq!(message, "step_s: lower than 0.000001");
+        assert_eq!(at.as_deref(), Some("0.0"));
+    }
+
+    #[test]
+    fn an_index_in_a_key_is_followed_to_its_place() {
+        let (message, at) = message(&GOOD.replace("count = 2", "count = 0"));
+        assert!(message.starts_with("train.vehicles[0].count"), "{message}");
+        assert_eq!(at.as_deref(), Some("0"));
+    }
+
+    #[test]
+    fn a_wheel_record_behind_the_tail_is_refused() {
+        let (message, _) = message(&format!("{GOOD}\n[record]\nwheels_of = [3]\n"));
+        assert!(message.contains("the train has 2 vehicles"), "{message}");
+    }
+}

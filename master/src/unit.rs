@@ -1,0 +1,113 @@
+//! A unit: anything that the lockstep can set, step and read. FMUs are units, and so are the
+//! mocks of the tests; the loop knows nothing else of them.
+
+use crate::interface::Interface;
+
+/// Why a unit failed, with all that helps to find the cause.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{instance} ({source_file}): {action} failed{}{}", status_text(.status), log_text(.last_message))]
+pub struct UnitError {
+    /// Name of the instance, such as `vehicle[17]`.
+    pub instance: String,
+    /// File that it came from.
+    pub source_file: String,
+    /// What was tried: the FMI function, and the variable where one is concerned.
+    pub action: String,
+    /// The FMI status, where one was returned.
+    pub status: Option<String>,
+    /// The last message that the unit logged.
+    pub last_message: Option<String>,
+}
+
+fn status_text(status: &Option<String>) -> String {
+    status.as_ref().map_or_else(String::new, |status| format!(" with {status}"))
+}
+
+fn log_text(message: &Option<String>) -> String {
+    message.as_ref().map_or_else(String::new, |message| format!(": {message}"))
+}
+
+/// One co-simulation unit, in the order of calls of FMI 2.0 §4.2.4: parameters are set, then
+/// `enter_initialization`, inputs set and outputs got, `exit_initialization`, then steps.
+pub trait Unit: Send {
+    /// The variables of the unit.
+    fn interface(&self) -> &Interface;
+
+    /// Sets a String variable.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_text(&mut self, reference: u32, value: &str) -> Result<(), UnitError>;
+
+    /// Sets Real variables by value reference.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError>;
+
+    /// Gets Real variables by value reference into `values`.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError>;
+
+    /// Begins the initialisation of a run from `start` to `stop`, s.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn enter_initialization(&mut self, start: f64, stop: f64) -> Result<(), UnitError>;
+
+    /// Ends the initialisation.
+    ///
+    /// # Errors
+    /// When the unit cannot start from what was set.
+    fn exit_initialization(&mut self) -> Result<(), UnitError>;
+
+    /// Steps from `time` to `time + length`, s.
+    ///
+    /// # Errors
+    /// When the unit did not get there.
+    fn step(&mut self, time: f64, length: f64) -> Result<(), UnitError>;
+
+    /// Ends the run.
+    ///
+    /// # Errors
+    /// When the unit could not complete what it writes.
+    fn terminate(&mut self) -> Result<(), UnitError>;
+
+    /// Takes the warnings that the unit has logged.
+    fn take_warnings(&mut self) -> Vec<String> {
+        vec![]
+    }
+}
+
+impl dyn Unit + '_ {
+    /// Sets a Real parameter by its name.
+    ///
+    /// # Errors
+    /// When the unit has no such variable or refuses the value.
+    pub fn set_real_parameter(&mut self, name: &str, value: f64) -> Result<(), UnitError> {
+        let reference = self.reference(name)?;
+        self.set_reals(&[reference], &[value])
+    }
+
+    /// Sets a String parameter by its name.
+    ///
+    /// # Errors
+    /// When the unit has no such variable or refuses the value.
+    pub fn set_text_parameter(&mut self, name: &str, value: &str) -> Result<(), UnitError> {
+        let reference = self.reference(name)?;
+        self.set_text(reference, value)
+    }
+
+    fn reference(&self, name: &str) -> Result<u32, UnitError> {
+        let interface = self.interface();
+        interface.variable(name).map(|variable| variable.reference).ok_or_else(|| UnitError {
+            instance: interface.model_name.clone(),
+            source_file: interface.identifier.clone(),
+            action: format!("setting '{name}', which is no variable of it,"),
+            status: None,
+            last_message: None,
+        })
+    }
+}

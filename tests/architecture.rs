@@ -1,0 +1,110 @@
+//! Who may depend on whom (docs/architecture.md).
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use hotfoot_tests::root;
+
+/// Dependencies of a package as its manifest lists them.
+fn dependencies(package: &str) -> BTreeSet<String> {
+    let manifest = root().join(package).join("Cargo.toml");
+    let text = std::fs::read_to_string(&manifest).unwrap();
+    let table: toml::Table = text.parse().unwrap();
+    let dependencies = table.get("dependencies").and_then(|value| value.as_table());
+    dependencies.map(|table| table.keys().cloned().collect()).unwrap_or_default()
+}
+
+fn source_files(folder: &Path, found: &mut Vec<std::path::PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            source_files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+const PHYSICS: [&str; 7] = [
+    "crates/numerics",
+    "crates/track",
+    "crates/contact",
+    "crates/stock",
+    "fmus/vehicle",
+    "fmus/longitudinal",
+    "fmus/railheat",
+];
+
+#[test]
+fn physics_does_not_know_the_master_nor_its_tools() {
+    let forbidden = ["hotfoot", "rayon", "arrow", "parquet", "clap", "indicatif", "zarrs", "zip"];
+    for package in PHYSICS {
+        let dependencies = dependencies(package);
+        for name in forbidden {
+            assert!(!dependencies.contains(name), "{package} depends on {name}");
+        }
+    }
+}
+
+#[test]
+fn the_master_knows_no_model() {
+    let dependencies = dependencies("master");
+    for model in ["vehicle", "longitudinal", "railheat", "contact", "stock", "fmu"] {
+        assert!(!dependencies.contains(model), "the master depends on {model}");
+    }
+}
+
+#[test]
+fn the_fmu_crate_knows_no_trains() {
+    let dependencies = dependencies("crates/fmu");
+    for name in ["track", "stock", "contact", "field", "numerics"] {
+        assert!(!dependencies.contains(name), "crates/fmu depends on {name}");
+    }
+}
+
+#[test]
+fn only_the_field_crate_knows_zarr() {
+    for package in ["master", "crates/fmu"].iter().chain(&PHYSICS) {
+        assert!(!dependencies(package).contains("zarrs"), "{package} depends on zarrs");
+    }
+}
+
+/// Code that is unsafe stands only at the FMI boundary: in crates/fmu, and in the importer.
+#[test]
+fn only_the_fmi_boundary_allows_unsafe_code() {
+    let mut files = vec![];
+    for folder in ["crates", "fmus", "master", "xtask"] {
+        source_files(&root().join(folder), &mut files);
+    }
+    for file in files {
+        let place = file.strip_prefix(root()).unwrap();
+        let boundary = place.starts_with("crates/fmu") || place.starts_with("master/src/fmi");
+        let text = std::fs::read_to_string(&file).unwrap();
+        let allows = text.contains("allow(unsafe_code)");
+        assert!(boundary || !allows, "{} allows unsafe code", place.display());
+    }
+}
+
+/// The loop stays short enough to read on one screen, and files short enough to hold in the head.
+#[test]
+fn files_stay_short() {
+    let mut files = vec![];
+    for folder in ["crates", "fmus", "master", "xtask", "tests"] {
+        source_files(&root().join(folder), &mut files);
+    }
+    for file in files {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or(&text);
+        let lines = code.lines().count();
+        assert!(lines <= 500, "{} has {lines} lines without tests", file.display());
+    }
+}
+
+/// The map of the layout in docs/architecture.md names every package.
+#[test]
+fn the_map_names_every_package() {
+    let map = std::fs::read_to_string(root().join("docs/architecture.md")).unwrap();
+    for package in PHYSICS.iter().chain(&["crates/fmu", "crates/field", "master", "tests", "xtask"]) {
+        assert!(map.contains(&format!("`{package}`")), "docs/architecture.md does not name {package}");
+    }
+}

@@ -1,0 +1,99 @@
+//! What the program answers to wrong input: a clear message, an exit code, no backtrace.
+
+use std::process::Output;
+
+use hotfoot_tests::{SmallScenario, fmu, hotfoot};
+
+/// The message of a command that must fail, on one line.
+fn refusal(output: &Output) -> String {
+    assert!(!output.status.success(), "the command succeeded");
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!text.contains("panicked") && !text.contains("RUST_BACKTRACE"), "{text}");
+    // miette breaks lines and draws a bar in front of them.
+    text.replace(['│', '×'], " ").split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn assert_says(message: &str, parts: &[&str]) {
+    for part in parts {
+        assert!(message.contains(part), "'{part}' is missing in: {message}");
+    }
+}
+
+#[test]
+fn a_typo_is_answered_with_line_and_keys() {
+    let mut scenario = SmallScenario::new(1.0);
+    scenario.text = scenario.text.replace("duration_s", "durationn_s");
+    let message = refusal(&scenario.run(&[]));
+    assert_says(&message, &["unknown field `durationn_s`", "expected one of", "scenario.toml:2"]);
+}
+
+#[test]
+fn a_step_of_zero_is_answered_with_its_bound() {
+    let mut scenario = SmallScenario::new(1.0);
+    scenario.text = scenario.text.replace("step_s = 0.001", "step_s = 0.0");
+    assert_says(&refusal(&scenario.run(&[])), &["step_s: lower than 0.000001"]);
+}
+
+#[test]
+fn a_missing_file_is_named_with_its_key() {
+    let mut scenario = SmallScenario::new(1.0);
+    scenario.text = scenario.text.replace("\"track.toml\"", "\"trck.toml\"");
+    assert_says(&refusal(&scenario.run(&[])), &["track.file", "trck.toml", "no such track file"]);
+}
+
+#[test]
+fn a_curve_radius_of_zero_is_answered_with_key_and_remedy() {
+    let mut scenario = SmallScenario::new(1.0);
+    scenario.track = scenario.track.replace("radius_m = 800.0", "radius_m = 0.0");
+    let message = refusal(&scenario.run(&[]));
+    assert_says(&message, &["alignment[2].radius_m = 0", "at least 50 m"]);
+}
+
+#[test]
+fn a_negative_mass_is_answered_with_file_and_key() {
+    let scenario = SmallScenario::new(1.0);
+    let stock = scenario.folder.path().join("stock");
+    hotfoot_tests::copy_folder(&hotfoot_tests::root().join("stock"), &stock);
+    let file = stock.join("vehicles/locomotive-coco-134t.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(&file, text.replacen("mass_kg = 134000.0", "mass_kg = -1.0", 1)).unwrap();
+    let mut own_stock = scenario;
+    let line = own_stock.text.lines().find(|line| line.starts_with("stock")).unwrap().to_owned();
+    own_stock.text = own_stock.text.replace(&line, "stock = \"stock\"");
+    let message = refusal(&own_stock.run(&[]));
+    assert_says(&message, &["locomotive-coco-134t.toml", "mass_kg", "-1"]);
+}
+
+#[test]
+fn a_corrupt_fmu_is_named() {
+    let mut scenario = SmallScenario::new(1.0);
+    std::fs::write(scenario.folder.path().join("bad.fmu"), "no archive").unwrap();
+    scenario.text += "\n[fmus]\nvehicle = \"bad.fmu\"\n";
+    assert_says(&refusal(&scenario.run(&[])), &["bad.fmu", "not a usable FMU"]);
+}
+
+#[test]
+fn an_fmu_without_a_needed_variable_is_answered_with_its_name() {
+    let mut scenario = SmallScenario::new(1.0);
+    let railheat = fmu("railheat");
+    scenario.text += &format!("\n[fmus]\nvehicle = \"{}\"\n", railheat.display());
+    let message = refusal(&scenario.run(&[]));
+    assert_says(&message, &["railheat.fmu cannot be used as vehicle", "'initial.position' is missing"]);
+}
+
+#[test]
+fn check_tells_in_words_what_is_missing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = fmu("vehicle");
+    let path = path.to_str().unwrap();
+    assert!(hotfoot(folder.path(), &["check", path, "--as", "vehicle"]).status.success());
+    let message = refusal(&hotfoot(folder.path(), &["check", path, "--as", "longitudinal"]));
+    assert_says(&message, &["output 'vehicle[1].position' is missing"]);
+}
+
+#[test]
+fn a_vehicle_type_that_is_not_in_stock_is_named() {
+    let mut scenario = SmallScenario::new(1.0);
+    scenario.text = scenario.text.replace("wagon-coco-134t-unpowered", "wagon-of-gold");
+    assert_says(&refusal(&scenario.run(&[])), &["wagon-of-gold"]);
+}

@@ -1,0 +1,1 @@
+//! Interoperation tests: Hotfoot's FMUs run by the crate `fmi`.

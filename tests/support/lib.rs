@@ -1,0 +1,162 @@
+//! What the tests of the whole system share: where things are, small scenarios, and the program.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Root of the repository.
+pub fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("tests lie in the repository")
+}
+
+/// The release folder of cargo's target folder, in which this test runs too.
+fn release() -> PathBuf {
+    let test = std::env::current_exe().expect("a test has a path");
+    test.ancestors().nth(3).expect("target/release/deps/test").join("release")
+}
+
+/// The packed FMU of a model.
+///
+/// # Panics
+/// When it has not been packed.
+pub fn fmu(model: &str) -> PathBuf {
+    let path = release().with_file_name("fmus").join(format!("{model}.fmu"));
+    assert!(path.exists(), "{} is missing: run `cargo xtask fmus` first", path.display());
+    path
+}
+
+/// Runs the program `hotfoot` with these arguments in `folder`.
+///
+/// # Panics
+/// When the program has not been built.
+pub fn hotfoot(folder: &Path, arguments: &[&str]) -> Output {
+    let program = release().join("hotfoot");
+    Command::new(&program)
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap_or_else(|e| panic!("{}: {e}: run `cargo xtask fmus` first", program.display()))
+}
+
+/// A scenario of a short train in a folder of its own; its text may be changed before it is run.
+pub struct SmallScenario {
+    /// The folder, which goes when this goes.
+    pub folder: tempfile::TempDir,
+    /// Text of `scenario.toml`.
+    pub text: String,
+    /// Text of `track.toml`.
+    pub track: String,
+    /// Text of `driver.toml`.
+    pub driver: String,
+}
+
+impl SmallScenario {
+    /// One locomotive and four wagons that run `duration` seconds at 16.67 m/s in notch 7 on
+    /// the track of the paper's curve, which begins 20 m ahead of the leading vehicle.
+    ///
+    /// # Panics
+    /// When the temporary folder cannot be made.
+    pub fn new(duration: f64) -> Self {
+        let stock = root().join("stock");
+        let text = format!(
+            r#"title = "Five vehicles"
+duration_s = {duration:?}
+step_s = 0.001
+stock = "{}"
+
+[train]
+speed_m_per_s = 16.67
+[[train.vehicles]]
+type = "locomotive-coco-134t"
+count = 1
+[[train.vehicles]]
+type = "wagon-coco-134t-unpowered"
+count = 4
+
+[track]
+file = "track.toml"
+
+[driver]
+file = "driver.toml"
+
+[heat]
+begin_m = -120.0
+length_m = 600.0
+field_interval_s = 0.5
+"#,
+            stock.display()
+        );
+        let track = "start_m = 20.0\nalignment = [\n\
+            { length_m = 50.0, transition = true },\n\
+            { length_m = 600.0, radius_m = 800.0 },\n\
+            { length_m = 50.0, transition = true },\n]\n";
+        let driver = "[[command]]\nfrom_s = 0.0\nnotch = 7.0\n";
+        Self {
+            folder: tempfile::tempdir().expect("a temporary folder"),
+            text,
+            track: track.to_owned(),
+            driver: driver.to_owned(),
+        }
+    }
+
+    /// Writes the files and runs the scenario with further arguments; the results are in
+    /// [`Self::results`].
+    ///
+    /// # Panics
+    /// When the files cannot be written.
+    pub fn run(&self, arguments: &[&str]) -> Output {
+        self.write();
+        let mut all = vec!["run", "scenario.toml", "--quiet", "--results", "results"];
+        all.extend(arguments);
+        hotfoot(self.folder.path(), &all)
+    }
+
+    /// Runs the scenario, which must succeed.
+    ///
+    /// # Panics
+    /// When it does not, with what the program said.
+    pub fn run_well(&self, arguments: &[&str]) {
+        let output = self.run(arguments);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+
+    /// Folder of the results.
+    pub fn results(&self) -> PathBuf {
+        self.folder.path().join("results")
+    }
+
+    fn write(&self) {
+        let files =
+            [("scenario.toml", &self.text), ("track.toml", &self.track), ("driver.toml", &self.driver)];
+        for (name, text) in files {
+            std::fs::write(self.folder.path().join(name), text).expect("the folder is writable");
+        }
+    }
+}
+
+/// The default resources of a model with the stock library, as `cargo xtask fmus` packs them.
+///
+/// # Panics
+/// When they cannot be copied.
+pub fn resources(model: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    copy_folder(&root().join("fmus").join(model).join("resources"), folder.path());
+    copy_folder(&root().join("stock"), &folder.path().join("stock"));
+    folder
+}
+
+/// Copies a folder with all that is in it.
+///
+/// # Panics
+/// When it cannot be copied.
+pub fn copy_folder(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).expect("the target is writable");
+    for entry in std::fs::read_dir(from).expect("the source is readable") {
+        let path = entry.expect("the source is readable").path();
+        let target = to.join(path.file_name().expect("an entry has a name"));
+        if path.is_dir() {
+            copy_folder(&path, &target);
+        } else {
+            std::fs::copy(&path, &target).expect("the target is writable");
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Building and packing the FMUs.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+
+use crate::shell::{cargo, hotfoot, output, run, target};
+
+/// The models that become FMUs.
+const MODELS: [&str; 3] = ["vehicle", "longitudinal", "railheat"];
+
+/// Builds the program and the FMUs' binaries in release, and packs the FMUs with their default
+/// resources and the stock library into `target/fmus`.
+pub fn build() -> Result<()> {
+    let packages = MODELS.iter().flat_map(|model| ["-p".to_owned(), format!("{model}-fmu")]);
+    run(cargo().args(["build", "--release", "-p", "hotfoot"]).args(packages))?;
+    let folder = target().join("fmus");
+    std::fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
+    for model in MODELS {
+        let library = format!(
+            "release/{}{model}_fmu{}",
+            std::env::consts::DLL_PREFIX,
+            std::env::consts::DLL_SUFFIX
+        );
+        let mut pack = hotfoot();
+        pack.arg("pack").arg(target().join(library));
+        pack.arg("--resources").arg(format!("fmus/{model}/resources"));
+        pack.args(["--stock", "stock", "--output"]).arg(fmu(model));
+        run(&mut pack)?;
+    }
+    Ok(())
+}
+
+/// Path of a packed FMU.
+pub fn fmu(model: &str) -> PathBuf {
+    target().join(format!("fmus/{model}.fmu"))
+}
+
+/// Writes the model descriptions of the packed FMUs into `modelDescription`.
+pub fn write_model_descriptions() -> Result<()> {
+    for model in MODELS {
+        let file = published(model);
+        std::fs::write(&file, model_description(model)?)
+            .with_context(|| file.display().to_string())?;
+    }
+    Ok(())
+}
+
+/// Fails if a published model description differs from that of the packed FMU.
+pub fn check_model_descriptions() -> Result<()> {
+    for model in MODELS {
+        let file = published(model);
+        let text = std::fs::read_to_string(&file).with_context(|| file.display().to_string())?;
+        if text != model_description(model)? {
+            bail!(
+                "{} is not current: run `cargo xtask model-descriptions` and commit the result",
+                file.display()
+            );
+        }
+    }
+    Ok(())
+}
+
+fn published(model: &str) -> PathBuf {
+    format!("modelDescription/{model}.xml").into()
+}
+
+fn model_description(model: &str) -> Result<String> {
+    output(hotfoot().args(["interface", "--xml"]).arg(fmu(model)))
+}

@@ -1,0 +1,29 @@
+//! The Python environment of the FMPy tests.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::Result;
+
+use crate::shell::{run, target};
+
+/// Pinned packages.
+const REQUIREMENTS: &str = "tests/python/requirements.txt";
+
+/// The interpreter of the environment; makes the environment if it is not there or its
+/// requirements have changed.
+pub fn interpreter() -> Result<PathBuf> {
+    let folder = target().join("python");
+    let interpreter = folder.join("bin/python");
+    let installed = folder.join("requirements.txt");
+    let wanted = std::fs::read_to_string(REQUIREMENTS)?;
+    if std::fs::read_to_string(&installed).is_ok_and(|text| text == wanted) {
+        return Ok(interpreter);
+    }
+    run(Command::new("python3").args(["-m", "venv", "--clear"]).arg(&folder))?;
+    run(Command::new(&interpreter)
+        .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"])
+        .arg(REQUIREMENTS))?;
+    std::fs::write(installed, wanted)?;
+    Ok(interpreter)
+}
