@@ -69,8 +69,6 @@ pub mod vehicle_output {
     pub const POSITION: usize = 0;
     /// Speed.
     pub const VELOCITY: usize = 1;
-    /// Acceleration.
-    pub const ACCELERATION: usize = 2;
     /// Names; the first two are required.
     pub const NAMES: [&str; 3] = ["position", "velocity", "acceleration"];
     /// How many of the names are required.

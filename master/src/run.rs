@@ -52,7 +52,7 @@ pub enum RunError {
         /// Time at which the step began, s.
         time: f64,
         /// Reason.
-        source: UnitError,
+        source: Box<UnitError>,
         /// Folder of the results.
         results: String,
     },
@@ -192,7 +192,7 @@ impl FailedStep {
         match self.source {
             StepFailure::Unit(source) => RunError::Step {
                 time: lockstep.clock.at(self.k),
-                source,
+                source: Box::new(source),
                 results: results.display().to_string(),
             },
             StepFailure::Observe(source) => source.into(),

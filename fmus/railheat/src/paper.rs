@@ -96,12 +96,12 @@ impl Paper {
             .chain(parameters.depths.iter().map(|depth| Level::at_depth(grid, *depth)))
             .chain([Level::foot(grid)])
             .collect();
-        let highest = levels.iter().map(|level| rail.highest(grid, level));
+        let nowhere = Highest { rise: 0.0, chainage: grid.chainage(0) };
         let state = State {
             conducted: 0,
             positions: vec![None; wheels],
             energy: Energy::default(),
-            highest: highest.collect(),
+            highest: vec![nowhere; levels.len()],
             highest_flash: 0.0,
             stray_told: false,
             rail,
@@ -200,12 +200,9 @@ impl Paper {
                 / (material.heat_capacity() * grid.cell_size),
         };
         let state = &mut self.state;
-        let sums = state.rail.step(grid, &exchange, self.number);
+        let sums = state.rail.step(grid, &exchange, self.number, &self.levels, &mut state.highest);
         state.energy.stored = self.cell_capacity * sums.stored;
         state.energy.weather += self.cell_capacity * sums.weather;
-        for (highest, level) in state.highest.iter_mut().zip(&self.levels) {
-            *highest = state.rail.highest(grid, level);
-        }
         state.conducted += 1;
     }
 

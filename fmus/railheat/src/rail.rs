@@ -82,6 +82,23 @@ impl Level {
         let above = cell(self.above);
         above + self.share * (cell(self.below) - above)
     }
+
+    /// The highest rise of a block's first `columns` and its place, if it is over `limit`.
+    fn higher(&self, cells: &[f64], columns: usize, limit: f64) -> Option<(usize, f64)> {
+        let rise = |lane: usize| self.read(|cell| cells[cell * LANES + lane]);
+        // Eight at a time, which the compiler makes vector instructions of.
+        let mut highest = [limit; 8];
+        let whole = columns - columns % 8;
+        for first in (0..whole).step_by(8) {
+            for (lane, highest) in highest.iter_mut().enumerate() {
+                let rise = rise(first + lane);
+                *highest = if rise > *highest { rise } else { *highest };
+            }
+        }
+        let highest = (whole..columns).map(rise).chain(highest).fold(limit, f64::max);
+        let lane = (0..columns).find(|lane| highest > limit && rise(*lane) == highest)?;
+        Some((lane, highest))
+    }
 }
 
 /// The highest rise at a depth, and where.
@@ -100,6 +117,13 @@ pub struct Sums {
     pub stored: f64,
     /// Change of all surface cells by the weather.
     pub weather: f64,
+}
+
+impl Sums {
+    fn add(&mut self, times: f64, other: Self) {
+        self.stored += times * other.stored;
+        self.weather += times * other.weather;
+    }
 }
 
 /// What the weather does to a surface cell in one step.
@@ -167,19 +191,34 @@ impl Rail {
     }
 
     /// One step of all columns: first the weather acts on the surfaces, then heat is conducted.
-    pub fn step(&mut self, grid: &Grid, exchange: &Exchange<'_>, number: f64) -> Sums {
+    /// The highest rise at each of `levels` after it goes into `highest`; it is looked for here
+    /// because a block costs more to fetch from memory than to work on.
+    pub fn step(
+        &mut self,
+        grid: &Grid,
+        exchange: &Exchange<'_>,
+        number: f64,
+        levels: &[Level],
+        highest: &mut [Highest],
+    ) -> Sums {
         let size = self.untouched.len();
         let of_untouched = step_block(&mut self.untouched, exchange, number, 1);
         let mut sums = Sums::default();
+        highest.iter_mut().for_each(|highest| highest.rise = f64::NEG_INFINITY);
         for (block, cells) in self.cells.chunks_exact_mut(size).enumerate() {
             let columns = grid.columns(block);
-            if self.touched[block] {
-                let of_block = step_block(cells, exchange, number, columns);
-                sums.stored += of_block.stored;
-                sums.weather += of_block.weather;
+            let cells = if self.touched[block] {
+                sums.add(1.0, step_block(cells, exchange, number, columns));
+                &*cells
             } else {
-                sums.stored += columns as f64 * of_untouched.stored;
-                sums.weather += columns as f64 * of_untouched.weather;
+                sums.add(columns as f64, of_untouched);
+                &self.untouched
+            };
+            for (highest, level) in highest.iter_mut().zip(levels) {
+                if let Some((lane, rise)) = level.higher(cells, columns, highest.rise) {
+                    let chainage = grid.chainage(block * LANES + lane);
+                    *highest = Highest { rise, chainage };
+                }
             }
         }
         sums
@@ -195,24 +234,6 @@ impl Rail {
     pub fn sum(&self, element: usize) -> f64 {
         let (block, lane) = (self.block(element / LANES), element % LANES);
         block[lane..].iter().step_by(LANES).sum()
-    }
-
-    /// The highest rise at a depth; the first of equal ones.
-    pub fn highest(&self, grid: &Grid, level: &Level) -> Highest {
-        let mut highest = f64::NEG_INFINITY;
-        let mut element = 0;
-        for index in 0..self.touched.len() {
-            let block = self.block(index);
-            let columns = if self.touched[index] { grid.columns(index) } else { 1 };
-            for lane in 0..columns {
-                let rise = level.read(|cell| block[cell * LANES + lane]);
-                if rise > highest {
-                    highest = rise;
-                    element = index * LANES + lane;
-                }
-            }
-        }
-        Highest { rise: highest, chainage: grid.chainage(element) }
     }
 
     /// Writes all rises into `values`, the depths of the first element first.

@@ -53,23 +53,21 @@ pub fn split(six: &Six) -> (Vector3<f64>, Vector3<f64>) {
 #[inline]
 pub fn solve(matrix: &mut SixBySix, right: &mut Six) {
     for j in 0..6 {
-        let inverse = 1.0 / matrix[j][j];
+        // Below the diagonal, column j keeps L D.
+        let column: Six = std::array::from_fn(|i| matrix[i][j]);
+        let inverse = 1.0 / column[j];
         for i in j + 1..6 {
-            let scaled = matrix[i][j];
-            let factor = scaled * inverse;
-            for k in j + 1..=i {
-                matrix[i][k] -= factor * matrix[k][j];
+            let factor = column[i] * inverse;
+            for (value, other) in matrix[i][..=i].iter_mut().zip(column).skip(j + 1) {
+                *value -= factor * other;
             }
             right[i] -= factor * right[j];
         }
-        // Column j keeps L D; rows below were reduced with it.
     }
     for i in (0..6).rev() {
-        let mut sum = right[i];
-        for k in i + 1..6 {
-            sum -= matrix[k][i] * right[k];
-        }
-        right[i] = sum / matrix[i][i];
+        let below = i + 1..6;
+        let known: f64 = below.map(|k| matrix[k][i] * right[k]).sum();
+        right[i] = (right[i] - known) / matrix[i][i];
     }
 }
 
@@ -86,8 +84,8 @@ mod tests {
             [0.0, 0.1, 0.9, 0.7, 0.0, 0.0],
         ];
         let mut matrix = [[0.0; 6]; 6];
-        for i in 0..6 {
-            matrix[i][i] = 1.0 + i as f64;
+        for (i, row) in matrix.iter_mut().enumerate() {
+            row[i] = 1.0 + i as f64;
         }
         for row in &rows {
             add_outer(&mut matrix, 30.0, row);

@@ -1,6 +1,7 @@
 //! Reading a scenario file, with messages that point at the line.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use garde::Validate;
 use miette::{Diagnostic, NamedSource, SourceSpan};
@@ -28,7 +29,7 @@ pub enum ScenarioError {
         message: String,
         /// The text of the file.
         #[source_code]
-        text: NamedSource<String>,
+        text: Arc<NamedSource<String>>,
         /// Where.
         #[label("here")]
         place: Option<SourceSpan>,
@@ -72,7 +73,7 @@ fn parse(text: &str, name: &str) -> Result<Scenario, ScenarioError> {
     let wrong = |message: String, place: Option<std::ops::Range<usize>>| ScenarioError::Wrong {
         file: name.to_owned(),
         message,
-        text: NamedSource::new(name, text.to_owned()).with_language("toml"),
+        text: Arc::new(NamedSource::new(name, text.to_owned()).with_language("toml")),
         place: place.map(SourceSpan::from),
     };
     let scenario: Scenario = toml::from_str(text)

@@ -71,7 +71,7 @@ fn impulse_on_grid(cells: u32, time: f64) -> [f64; 3] {
     let mut rail = Rail::new(&grid);
     rail.heat_surface(0, LENGTH / cell_size);
     for _ in 0..steps {
-        rail.step(&grid, &exchange(&ADIABATIC, &calm, interval, cell_size), number);
+        rail.step(&grid, &exchange(&ADIABATIC, &calm, interval, cell_size), number, &[], &mut []);
     }
     let middle = Level::at_depth(&grid, 0.06);
     [Level::SURFACE, middle, Level::foot(&grid)].map(|level| rail.rise(0, &level))
@@ -120,7 +120,7 @@ fn analytic_slab_constant_flux() {
     let mut steps = 0;
     for time in [60.0, 156.0, 200.0, 600.0] {
         while f64::from(steps) * interval < time - 1e-9 {
-            rail.step(&grid, &exchange, number);
+            rail.step(&grid, &exchange, number, &[], &mut []);
             steps += 1;
         }
         for (cell, allowed) in places {

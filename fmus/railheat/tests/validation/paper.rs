@@ -165,17 +165,20 @@ fn property_a_restored_state_goes_on_bit_for_bit() {
     assert_eq!(go_on(&mut model), wanted);
 }
 
-/// Why the default conduction interval is 50 ms: 30 s after three wheels have passed, the rises at
-/// the surface, 20 and 60 mm differ by 1.1 % from those with 1 ms at most, and in proportion less
-/// with shorter intervals (first order). That is far below the model's own defect of §7.7. Cells of 5 mm have a time constant Δx²/α of 2.2 s.
+/// Why the default conduction interval is 50 ms: 30 s after three wheels have passed, the mean
+/// rises of 90 elements at the surface, 20 and 60 mm differ from those with 1 ms by less than
+/// 0.5 %. (Single elements differ by some 2 %, one interval's s: those on which a wheel stands just
+/// when an interval ends are set again.) Cells of 5 mm have a time constant Δx²/α of 2.2 s.
 #[test]
 fn property_the_default_conduction_interval_is_short_enough() {
     let grid = Grid { begin: 20.0, elements: 100, ..parameters().grid };
     let levels = [0.0, 0.02, 0.06].map(|depth| Level::at_depth(&grid, depth));
     let rises = |conduction_interval: f64| {
-        let mut model = model(Parameters { grid, conduction_interval, ..parameters() }, 3);
+        let parameters = Parameters { grid, conduction_interval, ..parameters() };
+        let mut model = model(parameters, 3);
         run(&mut model, three_wheels, 30_000, 0.001);
-        levels.map(|level| model.rail().rise(50, &level))
+        let rail = model.rail();
+        levels.map(|level| (5..95).map(|element| rail.rise(element, &level)).sum::<f64>() / 90.0)
     };
     let exact = rises(0.001);
     let worst = |interval: f64| {
@@ -184,9 +187,8 @@ fn property_the_default_conduction_interval_is_short_enough() {
         (0..3).map(error).fold(0.0, f64::max)
     };
     let errors = [0.01, 0.05, 0.1].map(worst);
-    println!("rises {exact:?} K, worst error with 10, 50, 100 ms: {errors:.4?}");
-    assert!(errors[1] < 0.012, "{errors:?}");
-    assert!(errors[0] < errors[1] / 3.0, "{errors:?}");
+    println!("rises {exact:?} K, worst error with 10, 50, 100 ms: {errors:.5?}");
+    assert!(errors[1] < 0.005, "{errors:?}");
 }
 
 /// The first wheel off the track is told of, once, and the others go on heating.

@@ -47,7 +47,7 @@ fn property_the_rail_tends_to_the_equilibrium() {
             .unwrap();
     let mut rail = Rail::new(&grid);
     for _ in 0..225_000 {
-        rail.step(&grid, &exchange, number);
+        rail.step(&grid, &exchange, number, &[], &mut []);
     }
     let wanted = Surface::PAPER.equilibrium(&weather) - 300.0;
     for level in [Level::SURFACE, Level::foot(&grid)] {
