@@ -104,7 +104,11 @@ fn files_stay_short() {
 #[test]
 fn the_map_names_every_package() {
     let map = std::fs::read_to_string(root().join("docs/architecture.md")).unwrap();
-    for package in PHYSICS.iter().chain(&["crates/fmu", "crates/field", "master", "tests", "xtask"]) {
-        assert!(map.contains(&format!("`{package}`")), "docs/architecture.md does not name {package}");
+    for package in PHYSICS.iter().chain(&["crates/fmu", "crates/field", "master", "tests", "xtask"])
+    {
+        assert!(
+            map.contains(&format!("`{package}`")),
+            "docs/architecture.md does not name {package}"
+        );
     }
 }

@@ -78,7 +78,10 @@ fn an_fmu_without_a_needed_variable_is_answered_with_its_name() {
     let railheat = fmu("railheat");
     scenario.text += &format!("\n[fmus]\nvehicle = \"{}\"\n", railheat.display());
     let message = refusal(&scenario.run(&[]));
-    assert_says(&message, &["railheat.fmu cannot be used as vehicle", "'initial.position' is missing"]);
+    assert_says(
+        &message,
+        &["railheat.fmu cannot be used as vehicle", "'initial.position' is missing"],
+    );
 }
 
 #[test]

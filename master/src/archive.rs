@@ -86,9 +86,7 @@ pub fn unpack(archive: &Path, target: &Path) -> Result<(), ArchiveError> {
         // The stated size may lie, so what is unpacked is counted.
         let written = io::copy(&mut entry.by_ref().take(left + 1), &mut out)
             .map_err(io_error(&destination))?;
-        left = left
-            .checked_sub(written)
-            .ok_or_else(|| ArchiveError::TooLarge { path: path() })?;
+        left = left.checked_sub(written).ok_or_else(|| ArchiveError::TooLarge { path: path() })?;
     }
     Ok(())
 }

@@ -91,7 +91,11 @@ pub fn check(fmu: &Path, role: Role) -> Result<()> {
     let import = Import::open(fmu).into_diagnostic()?;
     let problems = roles::missing(import.interface(), role);
     if !problems.is_empty() {
-        return Err(miette!("{} cannot be used as {role:?}:\n{}", fmu.display(), problems.join("\n")));
+        return Err(miette!(
+            "{} cannot be used as {role:?}:\n{}",
+            fmu.display(),
+            problems.join("\n")
+        ));
     }
     println!("{} can be used as {role:?}", fmu.display());
     Ok(())

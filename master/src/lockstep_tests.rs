@@ -53,7 +53,8 @@ fn vehicle(place: usize, calls: &Calls) -> Vehicle {
     let name = format!("vehicle[{}]", place + 1);
     let unit = Mock::new(&name, &variables, calls, move |values, time, length| {
         values[outputs_at + vehicle_output::wheelset(0)] = values[vehicle_input::COUPLER_FRONT];
-        values[outputs_at + vehicle_output::wheel(0, 0) + vehicle_output::FRICTION_POWER] = time + length;
+        values[outputs_at + vehicle_output::wheel(0, 0) + vehicle_output::FRICTION_POWER] =
+            time + length;
     });
     let inputs = port(&unit, &signals.inputs, "input");
     let outputs = port(&unit, &signals.outputs, "output");

@@ -115,7 +115,9 @@ fn fmus(scenario: &Scenario, folders: &Folders) -> Vec<FmuEntry> {
     let packed = std::fs::read_dir(folders.results.join("fmus")).into_iter().flatten();
     let mut files: Vec<_> = packed.flatten().map(|entry| entry.path()).collect();
     let named = &scenario.fmus;
-    files.extend([&named.longitudinal, &named.vehicle, &named.railheat].into_iter().flatten().cloned());
+    files.extend(
+        [&named.longitudinal, &named.vehicle, &named.railheat].into_iter().flatten().cloned(),
+    );
     files.extend(named.vehicle_at.iter().map(|replacement| replacement.file.clone()));
     files.sort();
     files.iter().filter_map(|file| entry(file)).collect()

@@ -67,9 +67,8 @@ impl Recorder {
         let wheel_rows = wheel_rows(scenario, lockstep);
         let keys: Vec<_> =
             wheel_rows.iter().map(|&(i, j, side)| (i + 1, j + 1, SERIES_SIDES[side])).collect();
-        let create = |name, keys, columns| {
-            SeriesWriter::create(folder, name, keys, columns, per_part)
-        };
+        let create =
+            |name, keys, columns| SeriesWriter::create(folder, name, keys, columns, per_part);
         Ok(Self {
             train: create("train", vec![], columns)?,
             train_outputs,
@@ -92,7 +91,9 @@ impl Recorder {
     /// # Errors
     /// When a file cannot be written.
     pub fn observe(&mut self, k: u64, lockstep: &mut Lockstep) -> Result<(), ObserveError> {
-        for (i, (vehicle, place)) in lockstep.vehicles.iter().zip(lockstep.train.blocks()).enumerate() {
+        for (i, (vehicle, place)) in
+            lockstep.vehicles.iter().zip(lockstep.train.blocks()).enumerate()
+        {
             self.vehicles.observe(i, &vehicle_row(vehicle, place).values());
             self.powered[i] |= place[train::TRACTION] != 0.0;
         }
@@ -115,7 +116,8 @@ impl Recorder {
     pub fn energy(&self) -> Vec<EnergyLine> {
         let values: Vec<f64> =
             self.train_outputs.values.iter().chain(&self.rail_outputs.values).copied().collect();
-        let line = |(name, i): &(String, usize)| EnergyLine { name: name.clone(), joules: values[*i] };
+        let line =
+            |(name, i): &(String, usize)| EnergyLine { name: name.clone(), joules: values[*i] };
         self.energies.iter().map(line).collect()
     }
 
@@ -173,7 +175,8 @@ fn wheel_rows(scenario: &Scenario, lockstep: &Lockstep) -> Vec<(usize, usize, us
 
 fn vehicle_row(vehicle: &Vehicle, place: &[f64]) -> VehicleRow {
     let (inputs, outputs) = (&vehicle.inputs.values, &vehicle.outputs.values);
-    let wheels = || outputs[vehicle_output::NAMES.len()..].chunks_exact(vehicle_output::WHEELSET_BLOCK);
+    let wheels =
+        || outputs[vehicle_output::NAMES.len()..].chunks_exact(vehicle_output::WHEELSET_BLOCK);
     let sum = |quantity: usize| -> f64 {
         let count = vehicle_output::WHEEL_NAMES.len();
         wheels().map(|block| block[1 + quantity] + block[1 + count + quantity]).sum()
@@ -197,7 +200,8 @@ fn vehicle_row(vehicle: &Vehicle, place: &[f64]) -> VehicleRow {
 
 fn wheel_row(vehicle: &Vehicle, wheelset: usize, side: usize) -> WheelRow {
     let outputs = &vehicle.outputs.values;
-    let wheel = &outputs[vehicle_output::wheel(wheelset, side)..][..vehicle_output::WHEEL_NAMES.len()];
+    let wheel =
+        &outputs[vehicle_output::wheel(wheelset, side)..][..vehicle_output::WHEEL_NAMES.len()];
     WheelRow {
         position: outputs[vehicle_output::wheelset(wheelset)],
         creepage_longitudinal: wheel[0],

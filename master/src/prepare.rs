@@ -40,13 +40,17 @@ pub enum PrepareError {
         problems: Vec<String>,
     },
     /// One of Hotfoot's own FMUs is not where it should be.
-    #[error("{path} is missing; build Hotfoot's FMUs with `cargo xtask fmus`, or name their folder with --fmus")]
+    #[error(
+        "{path} is missing; build Hotfoot's FMUs with `cargo xtask fmus`, or name their folder with --fmus"
+    )]
     NoFmu {
         /// Path looked at.
         path: String,
     },
     /// An FMU that allows one instance a process is wanted more than once.
-    #[error("{file} allows only one instance in a process (canBeInstantiatedOnlyOncePerProcess), but the train needs {count}")]
+    #[error(
+        "{file} allows only one instance in a process (canBeInstantiatedOnlyOncePerProcess), but the train needs {count}"
+    )]
     OncePerProcess {
         /// FMU.
         file: String,
@@ -95,7 +99,8 @@ impl Builder<'_> {
             })?,
         };
         let signals = roles::longitudinal_signals(self.scenario.vehicle_count());
-        let outputs = connect(&import, &signals.outputs, "output", &BTreeMap::new(), "longitudinal")?;
+        let outputs =
+            connect(&import, &signals.outputs, "output", &BTreeMap::new(), "longitudinal")?;
         connect(&import, &signals.parameters, "parameter", &BTreeMap::new(), "longitudinal")?;
         let unit = Box::new(FmuInstance::new(&import, "train")?);
         Ok(Train { unit, outputs })

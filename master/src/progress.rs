@@ -71,10 +71,8 @@ impl LiveFigures {
     fn of(lockstep: &Lockstep) -> Self {
         let speed = lockstep.train.outputs.values[train::VELOCITY];
         let forces = lockstep.train.blocks().map(|block| block[train::COUPLER_REAR]);
-        let (vehicle, coupler_force) = forces
-            .enumerate()
-            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
-            .unwrap_or_default();
+        let (vehicle, coupler_force) =
+            forces.enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap_or_default();
         Self { speed, coupler_force, vehicle: vehicle + 1 }
     }
 }

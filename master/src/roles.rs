@@ -155,15 +155,16 @@ pub struct RoleSignals {
 
 /// Names under a prefix, the first `required` of them required.
 fn signals(prefix: &str, names: &[&str], required: usize) -> impl Iterator<Item = Signal> {
-    names.iter().enumerate().map(move |(i, name)| Signal {
-        name: format!("{prefix}{name}"),
-        required: i < required,
-    })
+    names
+        .iter()
+        .enumerate()
+        .map(move |(i, name)| Signal { name: format!("{prefix}{name}"), required: i < required })
 }
 
 /// Signals of a longitudinal FMU for a train of `vehicles`.
 pub fn longitudinal_signals(vehicles: usize) -> RoleSignals {
-    let block = |i| signals(&format!("vehicle[{i}]."), &train::NAMES, train::REQUIRED).collect::<Vec<_>>();
+    let block =
+        |i| signals(&format!("vehicle[{i}]."), &train::NAMES, train::REQUIRED).collect::<Vec<_>>();
     RoleSignals {
         parameters: start_parameters(),
         inputs: vec![],
@@ -208,17 +209,12 @@ fn start_parameters() -> Vec<Signal> {
 /// What an interface lacks to fill a role, a sentence each.
 pub fn missing(interface: &Interface, role: Role) -> Vec<String> {
     let wanted = match role {
-        Role::Longitudinal => {
-            longitudinal_signals(interface.count("vehicle", "position").max(1))
-        }
+        Role::Longitudinal => longitudinal_signals(interface.count("vehicle", "position").max(1)),
         Role::Vehicle => vehicle_signals(wheelset_count(interface)),
         Role::Railheat => railheat_signals(&rail_wheelsets(interface)),
     };
-    let groups = [
-        (&wanted.parameters, "parameter"),
-        (&wanted.inputs, "input"),
-        (&wanted.outputs, "output"),
-    ];
+    let groups =
+        [(&wanted.parameters, "parameter"), (&wanted.inputs, "input"), (&wanted.outputs, "output")];
     let connect = |(signals, causality): (&Vec<Signal>, &str)| {
         Port::connect(interface, signals, causality, &BTreeMap::new()).err().unwrap_or_default()
     };

@@ -9,6 +9,7 @@ use miette::Diagnostic;
 use crate::lockstep::Lockstep;
 use crate::manifest::{self, Manifest};
 use crate::observe::{ObserveError, Recorder};
+use crate::parallel;
 use crate::prepare::{Folders, PrepareError, prepare};
 use crate::progress::Progress;
 use crate::report::{self, MainFigure, ReportError};
@@ -16,7 +17,6 @@ use crate::scenario::{self, Scenario, ScenarioError};
 use crate::start::StartValues;
 use crate::times::{StepTimes, Stopwatch};
 use crate::unit::UnitError;
-use crate::parallel;
 
 /// How a scenario is run.
 #[derive(Debug, Clone, Default)]
@@ -52,7 +52,7 @@ pub enum RunError {
         /// Time at which the step began, s.
         time: f64,
         /// Reason.
-        source: Box<UnitError>,
+        source: UnitError,
         /// Folder of the results.
         results: String,
     },
@@ -124,21 +124,23 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
 
     let mut lockstep = prepare(&scenario, &folders)?;
     let manifest = Manifest::new(&scenario, text, threads, &folders);
-    pool.install(|| run_prepared(&scenario, &mut lockstep, manifest, &folders.results, options.quiet))
-        .and_then(|(simulated, wall, steps)| {
-            let (report, figures) = report::write(&folders.results)?;
-            Ok(Finished {
-                figures,
-                report,
-                simulated,
-                wall,
-                times: lockstep.times,
-                steps,
-                vehicles: lockstep.vehicles.len(),
-                threads,
-                warnings: warnings(&mut lockstep),
-            })
+    pool.install(|| {
+        run_prepared(&scenario, &mut lockstep, manifest, &folders.results, options.quiet)
+    })
+    .and_then(|(simulated, wall, steps)| {
+        let (report, figures) = report::write(&folders.results)?;
+        Ok(Finished {
+            figures,
+            report,
+            simulated,
+            wall,
+            times: lockstep.times,
+            steps,
+            vehicles: lockstep.vehicles.len(),
+            threads,
+            warnings: warnings(&mut lockstep),
         })
+    })
 }
 
 /// Initialises, steps and records; gives simulated time, wall time and steps.
@@ -192,7 +194,7 @@ impl FailedStep {
         match self.source {
             StepFailure::Unit(source) => RunError::Step {
                 time: lockstep.clock.at(self.k),
-                source: Box::new(source),
+                source,
                 results: results.display().to_string(),
             },
             StepFailure::Observe(source) => source.into(),
@@ -221,9 +223,13 @@ fn steps_of_the_run(
 
 fn warnings(lockstep: &mut Lockstep) -> Vec<String> {
     let units = std::iter::once(("train".to_owned(), &mut lockstep.train.unit))
-        .chain(lockstep.vehicles.iter_mut().enumerate().map(|(i, vehicle)| {
-            (format!("vehicle[{}]", i + 1), &mut vehicle.unit)
-        }))
+        .chain(
+            lockstep
+                .vehicles
+                .iter_mut()
+                .enumerate()
+                .map(|(i, vehicle)| (format!("vehicle[{}]", i + 1), &mut vehicle.unit)),
+        )
         .chain(lockstep.rail.iter_mut().map(|rail| ("rail".to_owned(), &mut rail.unit)));
     units
         .flat_map(|(name, unit)| {

@@ -8,22 +8,22 @@ use crate::interface::Interface;
 #[error("{instance} ({source_file}): {action} failed{}{}", status_text(.status), log_text(.last_message))]
 pub struct UnitError {
     /// Name of the instance, such as `vehicle[17]`.
-    pub instance: String,
+    pub instance: Box<str>,
     /// File that it came from.
-    pub source_file: String,
+    pub source_file: Box<str>,
     /// What was tried: the FMI function, and the variable where one is concerned.
-    pub action: String,
+    pub action: Box<str>,
     /// The FMI status, where one was returned.
-    pub status: Option<String>,
+    pub status: Option<&'static str>,
     /// The last message that the unit logged.
-    pub last_message: Option<String>,
+    pub last_message: Option<Box<str>>,
 }
 
-fn status_text(status: &Option<String>) -> String {
+fn status_text(status: &Option<&'static str>) -> String {
     status.as_ref().map_or_else(String::new, |status| format!(" with {status}"))
 }
 
-fn log_text(message: &Option<String>) -> String {
+fn log_text(message: &Option<Box<str>>) -> String {
     message.as_ref().map_or_else(String::new, |message| format!(": {message}"))
 }
 
@@ -103,9 +103,9 @@ impl dyn Unit + '_ {
     fn reference(&self, name: &str) -> Result<u32, UnitError> {
         let interface = self.interface();
         interface.variable(name).map(|variable| variable.reference).ok_or_else(|| UnitError {
-            instance: interface.model_name.clone(),
-            source_file: interface.identifier.clone(),
-            action: format!("setting '{name}', which is no variable of it,"),
+            instance: interface.model_name.as_str().into(),
+            source_file: interface.identifier.as_str().into(),
+            action: format!("setting '{name}', which is no variable of it,").into(),
             status: None,
             last_message: None,
         })

@@ -107,7 +107,7 @@ def run(folder, types, velocity, steps, length, outputs, every):
         vehicle.set({**forces(i, of_train), "sync.force": 0.0})
         of_vehicles.append(vehicle.get(wanted))
         vehicle.exit_initialization()
-    yield 0.0, of_vehicles, of_train
+    yield 0.0, list(of_vehicles), of_train
 
     for k in range(steps):
         time = k * length

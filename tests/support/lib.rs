@@ -125,8 +125,11 @@ field_interval_s = 0.5
     }
 
     fn write(&self) {
-        let files =
-            [("scenario.toml", &self.text), ("track.toml", &self.track), ("driver.toml", &self.driver)];
+        let files = [
+            ("scenario.toml", &self.text),
+            ("track.toml", &self.track),
+            ("driver.toml", &self.driver),
+        ];
         for (name, text) in files {
             std::fs::write(self.folder.path().join(name), text).expect("the folder is writable");
         }

@@ -48,20 +48,13 @@ impl LinearTable {
     /// When the columns differ in length, are empty, not finite, or `x` does not rise.
     pub fn new(x: Vec<f64>, y: Vec<f64>) -> Result<Self, TableError> {
         if x.len() != y.len() || x.is_empty() {
-            return Err(TableError::Shape {
-                x: x.len(),
-                y: y.len(),
-            });
+            return Err(TableError::Shape { x: x.len(), y: y.len() });
         }
         if let Some(row) = (0..x.len()).find(|&i| !(x[i].is_finite() && y[i].is_finite())) {
             return Err(TableError::NotFinite { row: row + 1 });
         }
         if let Some(i) = (1..x.len()).find(|&i| x[i] <= x[i - 1]) {
-            return Err(TableError::NotRising {
-                row: i + 1,
-                before: x[i - 1],
-                value: x[i],
-            });
+            return Err(TableError::NotRising { row: i + 1, before: x[i - 1], value: x[i] });
         }
         Ok(Self { x, y })
     }
@@ -125,13 +118,6 @@ mod tests {
     #[test]
     fn rows_that_do_not_rise_are_named() {
         let error = LinearTable::new(vec![0.0, 1.0, 1.0], vec![0.0; 3]).unwrap_err();
-        assert_eq!(
-            error,
-            TableError::NotRising {
-                row: 3,
-                before: 1.0,
-                value: 1.0
-            }
-        );
+        assert_eq!(error, TableError::NotRising { row: 3, before: 1.0, value: 1.0 });
     }
 }

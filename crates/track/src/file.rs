@@ -98,10 +98,8 @@ impl Track {
     /// When the file cannot be read or a value in it is not possible.
     pub fn from_file(file: &Path) -> Result<Self, TrackError> {
         let name = file.display().to_string();
-        let text = std::fs::read_to_string(file).map_err(|source| TrackError::Read {
-            file: name.clone(),
-            source,
-        })?;
+        let text = std::fs::read_to_string(file)
+            .map_err(|source| TrackError::Read { file: name.clone(), source })?;
         Self::from_toml(&text, &name)
     }
 
@@ -122,28 +120,15 @@ impl Track {
 impl TrackFile {
     fn check(&self, file: &str) -> Result<(), TrackError> {
         let fail = |key: String, value: f64, wanted: &'static str| {
-            Err(TrackError::Value {
-                file: file.to_owned(),
-                key,
-                value,
-                wanted,
-            })
+            Err(TrackError::Value { file: file.to_owned(), key, value, wanted })
         };
         if !self.start_m.is_finite() {
-            return fail(
-                "start_m".into(),
-                self.start_m,
-                "must be a finite chainage in metres",
-            );
+            return fail("start_m".into(), self.start_m, "must be a finite chainage in metres");
         }
         for (i, element) in self.alignment.iter().enumerate() {
             let key = |name: &str| format!("alignment[{}].{name}", i + 1);
             if !(element.length_m.is_finite() && element.length_m > 0.0) {
-                return fail(
-                    key("length_m"),
-                    element.length_m,
-                    "must be greater than zero",
-                );
+                return fail(key("length_m"), element.length_m, "must be greater than zero");
             }
             if let Some(radius) = element.radius_m
                 && !(radius.is_finite() && radius.abs() >= 50.0)
@@ -153,30 +138,18 @@ impl TrackFile {
                 return fail(key("radius_m"), radius, wanted);
             }
             if !(-300.0..=300.0).contains(&element.cant_mm) {
-                return fail(
-                    key("cant_mm"),
-                    element.cant_mm,
-                    "must lie between -300 and 300 mm",
-                );
+                return fail(key("cant_mm"), element.cant_mm, "must lie between -300 and 300 mm");
             }
             if element.transition && (element.radius_m.is_some() || element.cant_mm != 0.0) {
                 let wanted = "a transition takes curvature and cant from its neighbours; \
                               leave radius_m and cant_mm out";
-                return fail(
-                    key("radius_m"),
-                    element.radius_m.unwrap_or_default(),
-                    wanted,
-                );
+                return fail(key("radius_m"), element.radius_m.unwrap_or_default(), wanted);
             }
         }
         for (i, point) in self.gradient.iter().enumerate() {
             let key = |name: &str| format!("gradient[{}].{name}", i + 1);
             if !(-100.0..=100.0).contains(&point.permille) {
-                return fail(
-                    key("permille"),
-                    point.permille,
-                    "must lie between -100 and 100",
-                );
+                return fail(key("permille"), point.permille, "must lie between -100 and 100");
             }
             if !point.chainage_m.is_finite()
                 || (i > 0 && point.chainage_m <= self.gradient[i - 1].chainage_m)
@@ -194,11 +167,7 @@ impl TrackFile {
         let cant = self.polyline(|element| (element.cant_mm * 1e-3 / CANT_BASE).asin());
         let gradient: Polyline = match self.gradient.len() {
             0 => vec![(self.start_m, 0.0)],
-            _ => self
-                .gradient
-                .iter()
-                .map(|p| (p.chainage_m, p.permille * 1e-3))
-                .collect(),
+            _ => self.gradient.iter().map(|p| (p.chainage_m, p.permille * 1e-3)).collect(),
         };
         let mut begins: Vec<f64> = [&curvature, &cant, &gradient]
             .iter()
@@ -234,9 +203,7 @@ impl TrackFile {
     /// transition, a step where two constant elements meet (two points at one chainage).
     fn polyline(&self, value: impl Fn(&Element) -> f64) -> Polyline {
         let constant = |i: Option<usize>| {
-            let element = i
-                .and_then(|i| self.alignment.get(i))
-                .filter(|e| !e.transition);
+            let element = i.and_then(|i| self.alignment.get(i)).filter(|e| !e.transition);
             element.map_or(0.0, &value)
         };
         let mut line = vec![];

@@ -45,13 +45,8 @@ pub struct Track {
 impl Track {
     /// Straight and level without end.
     pub fn straight() -> Self {
-        let piece = Piece {
-            at: TrackPoint::default(),
-        };
-        Self {
-            begins: vec![0.0],
-            pieces: vec![piece],
-        }
+        let piece = Piece { at: TrackPoint::default() };
+        Self { begins: vec![0.0], pieces: vec![piece] }
     }
 
     /// What holds at `chainage`; `index` is any number at first and the place of the last lookup

@@ -124,7 +124,7 @@ const ALSO_REQUIRED: &[&[u8]] = &[
 ];
 
 /// The name of a status.
-pub fn status_name(status: Status) -> String {
+pub fn status_name(status: Status) -> &'static str {
     match status {
         0 => "fmi2OK",
         1 => "fmi2Warning",
@@ -132,7 +132,6 @@ pub fn status_name(status: Status) -> String {
         3 => "fmi2Error",
         4 => "fmi2Fatal",
         5 => "fmi2Pending",
-        other => return format!("the unknown status {other}"),
+        _ => "a status that FMI 2.0 does not know",
     }
-    .to_owned()
 }

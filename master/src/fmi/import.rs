@@ -11,8 +11,20 @@ use crate::interface::{Interface, InterfaceError};
 
 /// Characters that a file URI must not hold as they are.
 const NOT_IN_URI: &AsciiSet = &CONTROLS
-    .add(b' ').add(b'"').add(b'#').add(b'%').add(b'<').add(b'>').add(b'?')
-    .add(b'[').add(b']').add(b'^').add(b'`').add(b'{').add(b'|').add(b'}');
+    .add(b' ')
+    .add(b'"')
+    .add(b'#')
+    .add(b'%')
+    .add(b'<')
+    .add(b'>')
+    .add(b'?')
+    .add(b'[')
+    .add(b']')
+    .add(b'^')
+    .add(b'`')
+    .add(b'{')
+    .add(b'|')
+    .add(b'}');
 
 /// Where the binary lies in an FMU on this platform (FMI 2.0 §2.3).
 const PLATFORM: &str = match (cfg!(target_os = "windows"), cfg!(target_os = "macos")) {

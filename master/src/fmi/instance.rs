@@ -68,11 +68,11 @@ impl FmuInstance {
 
     fn error(&self, action: String, status: Option<Status>) -> UnitError {
         UnitError {
-            instance: self.name.clone(),
-            source_file: self.import.file().to_owned(),
-            action,
+            instance: self.name.as_str().into(),
+            source_file: self.import.file().into(),
+            action: action.into(),
             status: status.map(binding::status_name),
-            last_message: self.messages.last(),
+            last_message: self.messages.last().map(Into::into),
         }
     }
 
@@ -199,7 +199,8 @@ impl Unit for FmuInstance {
         )
         .map_err(|mut error| {
             if discarded {
-                error.action += &format!(", done until {} s,", self.last_successful_time());
+                let reached = self.last_successful_time();
+                error.action = format!("{}, done until {reached} s,", error.action).into();
             }
             error
         })

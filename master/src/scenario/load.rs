@@ -93,7 +93,8 @@ fn parse(text: &str, name: &str) -> Result<Scenario, ScenarioError> {
 fn check_across_keys(scenario: &Scenario) -> Result<(), (&'static str, String)> {
     let count = scenario.vehicle_count();
     if let Some(replaced) = scenario.fmus.vehicle_at.iter().find(|v| v.place > count) {
-        let message = format!("place {} is behind the tail: the train has {count} vehicles", replaced.place);
+        let message =
+            format!("place {} is behind the tail: the train has {count} vehicles", replaced.place);
         return Err(("fmus.vehicle_at", message));
     }
     if let Some(place) = scenario.record.wheels_of.iter().find(|&&place| place > count) {
@@ -222,7 +223,8 @@ file = "driver.toml"
 
     #[test]
     fn a_step_of_zero_is_answered_with_its_place_and_bounds() {
-        let (message, at) = message(&GOOD.replace("duration_s = 1.0", "duration_s = 1.0\nstep_s = 0.0"));
+        let (message, at) =
+            message(&GOOD.replace("duration_s = 1.0", "duration_s = 1.0\nstep_s = 0.0"));
         assert_eq!(message, "step_s: lower than 0.000001");
         assert_eq!(at.as_deref(), Some("0.0"));
     }
