@@ -10,7 +10,7 @@ use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::pack::{Binary, PackError, pack};
 use crate::port::{Port, Signal};
 use crate::rail::Rail;
-use crate::resources;
+use crate::resources::{self, Origins};
 use crate::roles::{self, wheelset_count};
 use crate::scenario::{Heat, Rail as RailSide, Scenario};
 use crate::synchronisation::{Controller, Gains};
@@ -38,6 +38,14 @@ pub enum PrepareError {
         role: &'static str,
         /// What is missing.
         problems: Vec<String>,
+    },
+    /// A model does not accept what the scenario gives it.
+    #[error("{file} cannot be packed: {message}")]
+    Refused {
+        /// FMU that was to be packed.
+        file: String,
+        /// What the model says.
+        message: String,
     },
     /// One of Hotfoot's own FMUs is not where it should be.
     #[error(
@@ -197,7 +205,7 @@ impl Builder<'_> {
         &self,
         base: &str,
         name: &str,
-        write: impl FnOnce(&Path) -> Result<(), PackError>,
+        write: impl FnOnce(&Path) -> Result<Origins, PackError>,
     ) -> Result<Arc<Import>, PrepareError> {
         let base = self.folders.fmus.join(format!("{base}.fmu"));
         if !base.exists() {
@@ -207,10 +215,16 @@ impl Builder<'_> {
         let io = |source| PackError::Io { path: folder.display().to_string(), source };
         std::fs::create_dir_all(&folder).map_err(io)?;
         let resources = tempfile::tempdir().map_err(io)?;
-        write(resources.path())?;
+        let origins = write(resources.path())?;
         let target = folder.join(format!("{name}.fmu"));
-        pack(Binary::Fmu(&base), resources.path(), &target)?;
-        Ok(Import::open(&target)?)
+        pack(Binary::Fmu(&base), resources.path(), &target).map_err(|error| match error {
+            PackError::Import(ImportError::Describe { message, .. }) => {
+                let message = origins.rename(&message, resources.path());
+                PrepareError::Refused { file: target.display().to_string(), message }
+            }
+            other => other.into(),
+        })?;
+        Ok(Import::open_copy(&target, origins)?)
     }
 }
 

@@ -1,18 +1,35 @@
 //! The resources that Hotfoot's own FMUs need for a scenario: what is in the `resources` folder
 //! of each, so that the packed FMUs run in any tool without further files.
+//!
+//! Messages of an FMU name the copies in its resources; [`Origins`] tells what they are copies
+//! of, so that the user reads the names of the files that he wrote.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
 use crate::pack::{PackError, copy_folder, write};
 use crate::scenario::{Heat, Scenario};
 
+/// Names in a resources folder, and the files or folders that they are copies of.
+#[derive(Debug, Clone, Default)]
+pub struct Origins(Vec<(&'static str, PathBuf)>);
+
+impl Origins {
+    /// The message with the names of the originals in place of the copies in `folder`.
+    pub fn rename(&self, message: &str, folder: &Path) -> String {
+        let copy = |name| folder.join(name).display().to_string();
+        self.0.iter().fold(message.to_owned(), |text, (name, original)| {
+            text.replace(&copy(name), &original.display().to_string())
+        })
+    }
+}
+
 /// Writes the resources of the train: consist, driver, track and stock library.
 ///
 /// # Errors
 /// When a file cannot be read or written.
-pub fn write_longitudinal(scenario: &Scenario, folder: &Path) -> Result<(), PackError> {
+pub fn write_longitudinal(scenario: &Scenario, folder: &Path) -> Result<Origins, PackError> {
     #[derive(Serialize)]
     struct Consist<'a> {
         vehicle: &'a [crate::scenario::VehicleGroup],
@@ -20,14 +37,20 @@ pub fn write_longitudinal(scenario: &Scenario, folder: &Path) -> Result<(), Pack
     let consist = Consist { vehicle: &scenario.train.vehicles };
     write(&folder.join("consist.toml"), to_toml(&consist).as_bytes())?;
     copy_file(&scenario.driver.file, &folder.join("driver.toml"))?;
-    write_track_and_stock(scenario, folder)
+    let mut origins = write_track_and_stock(scenario, folder)?;
+    origins.0.push(("driver.toml", scenario.driver.file.clone()));
+    Ok(origins)
 }
 
 /// Writes the resources of a vehicle of type `kind`: vehicle, track and stock library.
 ///
 /// # Errors
 /// When a file cannot be read or written.
-pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<(), PackError> {
+pub fn write_vehicle(
+    scenario: &Scenario,
+    kind: &str,
+    folder: &Path,
+) -> Result<Origins, PackError> {
     #[derive(Serialize)]
     struct Vehicle<'a> {
         extends: &'a str,
@@ -40,7 +63,11 @@ pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<(
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn write_railheat(heat: &Heat, wheelsets: &[usize], folder: &Path) -> Result<(), PackError> {
+pub fn write_railheat(
+    heat: &Heat,
+    wheelsets: &[usize],
+    folder: &Path,
+) -> Result<Origins, PackError> {
     #[derive(Serialize)]
     struct RailHeat<'a> {
         wheelsets_per_vehicle: &'a [usize],
@@ -52,12 +79,17 @@ pub fn write_railheat(heat: &Heat, wheelsets: &[usize], folder: &Path) -> Result
         depths_mm: &heat.depths_mm,
         probe: &heat.probe,
     };
-    write(&folder.join("railheat.toml"), to_toml(&file).as_bytes())
+    write(&folder.join("railheat.toml"), to_toml(&file).as_bytes())?;
+    Ok(Origins::default())
 }
 
-fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<(), PackError> {
+fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, PackError> {
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
-    copy_folder(&scenario.stock, &folder.join("stock"))
+    copy_folder(&scenario.stock, &folder.join("stock"))?;
+    Ok(Origins(vec![
+        ("track.toml", scenario.track.file.clone()),
+        ("stock", scenario.stock.clone()),
+    ]))
 }
 
 fn copy_file(from: &Path, to: &Path) -> Result<(), PackError> {

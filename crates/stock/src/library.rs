@@ -66,6 +66,7 @@ impl Library {
         let name = file.display().to_string();
         let text = read(file)?;
         let table: Table = parse(&text, &name)?;
+        let base = table.get("extends").and_then(Value::as_str).map(str::to_owned);
         let vehicle: Vehicle = match table.contains_key("extends") {
             // Reading the text itself gives errors with line and caret.
             false => parse(&text, &name)?,
@@ -74,7 +75,11 @@ impl Library {
                 .try_into()
                 .map_err(|source| syntax(&name, source))?,
         };
-        vehicle.check(&name)?;
+        if let Err(error) = vehicle.check(&name) {
+            // A wrong value is looked for in the file that has it.
+            let base_error = base.and_then(|base| self.vehicle(&base).err());
+            return Err(base_error.unwrap_or(error));
+        }
         Ok(vehicle)
     }
 

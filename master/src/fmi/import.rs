@@ -8,6 +8,7 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 use super::binding::Functions;
 use crate::archive::{self, ArchiveError};
 use crate::interface::{Interface, InterfaceError};
+use crate::resources::Origins;
 
 /// Characters that a file URI must not hold as they are.
 const NOT_IN_URI: &AsciiSet = &CONTROLS
@@ -91,6 +92,8 @@ pub struct Import {
     pub(super) functions: Functions,
     /// Keeps the unpacked files.
     folder: tempfile::TempDir,
+    /// What the resources are copies of.
+    origins: Origins,
 }
 
 impl Import {
@@ -99,6 +102,15 @@ impl Import {
     /// # Errors
     /// When the file is not a usable FMI 2.0 co-simulation FMU for this platform.
     pub fn open(path: &Path) -> Result<Arc<Self>, ImportError> {
+        Self::open_copy(path, Origins::default())
+    }
+
+    /// Unpacks and loads an FMU whose resources are copies of other files, which its messages
+    /// shall name.
+    ///
+    /// # Errors
+    /// When the file is not a usable FMI 2.0 co-simulation FMU for this platform.
+    pub fn open_copy(path: &Path, origins: Origins) -> Result<Arc<Self>, ImportError> {
         let file = path.display().to_string();
         let folder = tempfile::Builder::new()
             .prefix("hotfoot-fmu-")
@@ -110,7 +122,7 @@ impl Import {
         let functions = Functions::load(&folder.path().join(&binary)).map_err(|source| {
             ImportError::Binary { file: file.clone(), binary: binary.display().to_string(), source }
         })?;
-        Ok(Arc::new(Self { file, interface, functions, folder }))
+        Ok(Arc::new(Self { file, interface, functions, folder, origins }))
     }
 
     /// What the model description says.
@@ -123,9 +135,18 @@ impl Import {
         &self.file
     }
 
+    /// A message of the FMU with the files that the user knows.
+    pub(super) fn in_words_of_the_user(&self, message: &str) -> String {
+        self.origins.rename(message, &self.resources())
+    }
+
+    fn resources(&self) -> PathBuf {
+        self.folder.path().join("resources")
+    }
+
     /// The folder of the FMU's resources as a file URI.
     pub(super) fn resource_uri(&self) -> String {
-        let path = self.folder.path().join("resources");
+        let path = self.resources();
         format!("file://{}", utf8_percent_encode(&path.to_string_lossy(), NOT_IN_URI))
     }
 }

@@ -67,12 +67,14 @@ impl FmuInstance {
     }
 
     fn error(&self, action: String, status: Option<Status>) -> UnitError {
+        let last_message = self.messages.last();
+        let last_message = last_message.map(|text| self.import.in_words_of_the_user(&text));
         UnitError {
             instance: self.name.as_str().into(),
             source_file: self.import.file().into(),
             action: action.into(),
             status: status.map(binding::status_name),
-            last_message: self.messages.last().map(Into::into),
+            last_message: last_message.map(Into::into),
         }
     }
 
