@@ -9,7 +9,7 @@ fn refusal(output: &Output) -> String {
     assert!(!output.status.success(), "the command succeeded");
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(!text.contains("panicked") && !text.contains("RUST_BACKTRACE"), "{text}");
-    // miette breaks lines and draws a bar in front of them.
+    // miette draws a bar in front of lines.
     text.replace(['│', '×'], " ").split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

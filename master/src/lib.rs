@@ -29,7 +29,7 @@ mod rail;
 pub mod recording;
 mod report;
 mod resources;
-mod roles;
+pub mod roles;
 mod run;
 pub mod scenario;
 mod start;

@@ -45,6 +45,10 @@ enum Command {
 }
 
 fn main() -> miette::Result<()> {
+    // Wrapped lines would break the names of files.
+    miette::set_hook(Box::new(|_| {
+        Box::new(miette::MietteHandlerOpts::new().wrap_lines(false).build())
+    }))?;
     match Arguments::parse().command {
         Command::Run(arguments) => commands::run(&arguments),
         Command::Report { results } => commands::report(&results),

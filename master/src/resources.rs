@@ -46,11 +46,7 @@ pub fn write_longitudinal(scenario: &Scenario, folder: &Path) -> Result<Origins,
 ///
 /// # Errors
 /// When a file cannot be read or written.
-pub fn write_vehicle(
-    scenario: &Scenario,
-    kind: &str,
-    folder: &Path,
-) -> Result<Origins, PackError> {
+pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<Origins, PackError> {
     #[derive(Serialize)]
     struct Vehicle<'a> {
         extends: &'a str,
