@@ -56,6 +56,7 @@ impl Manifest {
         let cores = std::thread::available_parallelism().map_or(0, usize::from);
         let run = RunFacts {
             title: scenario.title.clone(),
+            train_alone: scenario.train_alone,
             vehicles: scenario.vehicle_count(),
             plotted: scenario.recorded_vehicles(),
             rail: scenario.heat.as_ref().map_or("", |heat| heat.rail.side()).to_owned(),

@@ -75,13 +75,13 @@ impl Recorder {
             rail_outputs,
             vehicles: create(
                 "vehicles",
-                vehicle_keys(lockstep.vehicles.len()),
+                vehicle_keys(scenario.vehicle_count()),
                 VehicleRow::columns(),
             )?,
             wheels: create("wheels", wheel_keys(&keys), WheelRow::columns())?,
             wheel_rows,
             every,
-            powered: vec![false; lockstep.vehicles.len()],
+            powered: vec![false; scenario.vehicle_count()],
             energies,
         })
     }
@@ -91,10 +91,12 @@ impl Recorder {
     /// # Errors
     /// When a file cannot be written.
     pub fn observe(&mut self, k: u64, lockstep: &mut Lockstep) -> Result<(), ObserveError> {
-        for (i, (vehicle, place)) in
-            lockstep.vehicles.iter().zip(lockstep.train.blocks()).enumerate()
-        {
-            self.vehicles.observe(i, &vehicle_row(vehicle, place).values());
+        for (i, place) in lockstep.train.blocks().enumerate() {
+            let row = match lockstep.vehicles.get(i) {
+                Some(vehicle) => vehicle_row(vehicle, place),
+                None => train_row(place),
+            };
+            self.vehicles.observe(i, &row.values());
             self.powered[i] |= place[train::TRACTION] != 0.0;
         }
         for (row, &(i, j, side)) in self.wheel_rows.iter().enumerate() {
@@ -165,12 +167,29 @@ fn all_outputs(unit: &dyn Unit, prefix: &str) -> (Port, Vec<Column>) {
 fn wheel_rows(scenario: &Scenario, lockstep: &Lockstep) -> Vec<(usize, usize, usize)> {
     let mut rows = vec![];
     for place in scenario.recorded_vehicles() {
-        let wheelsets = wheelset_count(lockstep.vehicles[place - 1].unit.interface());
+        let vehicle = lockstep.vehicles.get(place - 1);
+        let wheelsets = vehicle.map_or(0, |vehicle| wheelset_count(vehicle.unit.interface()));
         for j in 0..wheelsets {
             rows.extend([(place - 1, j, 0), (place - 1, j, 1)]);
         }
     }
     rows
+}
+
+/// What the train says of a vehicle; without a vehicle in three dimensions the rest is zero.
+fn train_row(place: &[f64]) -> VehicleRow {
+    VehicleRow {
+        position: place[train::POSITION],
+        velocity: place[train::VELOCITY],
+        train_position: place[train::POSITION],
+        train_velocity: place[train::VELOCITY],
+        coupler_front_force: place[train::COUPLER_FRONT],
+        coupler_rear_force: place[train::COUPLER_REAR],
+        traction_force: place[train::TRACTION],
+        brake_force: place[train::BRAKE],
+        resistance_force: place[train::RESISTANCE],
+        ..VehicleRow::default()
+    }
 }
 
 fn vehicle_row(vehicle: &Vehicle, place: &[f64]) -> VehicleRow {
@@ -184,17 +203,11 @@ fn vehicle_row(vehicle: &Vehicle, place: &[f64]) -> VehicleRow {
     VehicleRow {
         position: outputs[vehicle_output::POSITION],
         velocity: outputs[vehicle_output::VELOCITY],
-        train_position: place[train::POSITION],
-        train_velocity: place[train::VELOCITY],
-        coupler_front_force: place[train::COUPLER_FRONT],
-        coupler_rear_force: place[train::COUPLER_REAR],
-        traction_force: place[train::TRACTION],
-        brake_force: place[train::BRAKE],
-        resistance_force: place[train::RESISTANCE],
         sync_force: inputs[vehicle_input::SYNCHRONISATION],
         position_error: outputs[vehicle_output::POSITION] - place[train::POSITION],
         creep_force: sum(vehicle_output::FORCE_LONGITUDINAL),
         friction_power: sum(vehicle_output::FRICTION_POWER),
+        ..train_row(place)
     }
 }
 

@@ -83,7 +83,7 @@ pub struct Folders {
 pub fn prepare(scenario: &Scenario, folders: &Folders) -> Result<Lockstep, PrepareError> {
     let builder = Builder { scenario, folders };
     let train = builder.train()?;
-    let vehicles = builder.vehicles()?;
+    let vehicles = if scenario.train_alone { vec![] } else { builder.vehicles()? };
     let rail = match &scenario.heat {
         Some(heat) => Some(builder.rail(heat, &vehicles)?),
         None => None,

@@ -7,6 +7,9 @@ use serde::{Deserialize, Serialize};
 pub struct RunFacts {
     /// Title of the scenario.
     pub title: String,
+    /// Whether there were no vehicles in three dimensions.
+    #[serde(default)]
+    pub train_alone: bool,
     /// Number of vehicles in the train.
     pub vehicles: usize,
     /// Places in the train, from 1, of the vehicles with traction.

@@ -36,7 +36,7 @@ pub(super) fn over_time(data: &ReportData) -> Result<Vec<Figure>, ReportError> {
     let of_vehicles = |title, caption, quantity, unit, pick| {
         vehicle_figure(data, title, caption, quantity, unit, pick)
     };
-    Ok(vec![
+    let mut figures = vec![
         motion_figure(data)?,
         of_vehicles(
             "Coupler forces",
@@ -45,6 +45,11 @@ pub(super) fn over_time(data: &ReportData) -> Result<Vec<Figure>, ReportError> {
             "N",
             |vehicle| &vehicle.coupler_force,
         )?,
+    ];
+    if data.facts.train_alone {
+        return Ok(figures);
+    }
+    figures.extend([
         of_vehicles(
             "Longitudinal creep forces",
             "Sum over all wheels of a vehicle, positive in traction (the paper's figure 9).",
@@ -66,7 +71,8 @@ pub(super) fn over_time(data: &ReportData) -> Result<Vec<Figure>, ReportError> {
             "m",
             |vehicle| &vehicle.position_error,
         )?,
-    ])
+    ]);
+    Ok(figures)
 }
 
 /// Speed and notch over time.

@@ -31,7 +31,9 @@ enum Extreme {
 /// The lines of the table.
 pub(super) fn of_run(results: &Results) -> Result<Vec<MainFigure>, ReportError> {
     let mut figures = motion(&results.vehicles)?;
-    for (name, column, unit, extreme) in EXTREMES {
+    // Alone, a train has couplers only.
+    let extremes = if results.facts.train_alone { &EXTREMES[..2] } else { &EXTREMES[..] };
+    for &(name, column, unit, extreme) in extremes {
         figures.extend(of_vehicles(&results.vehicles, name, column, unit, extreme)?);
     }
     figures.extend(of_rail(&results.train)?);

@@ -25,6 +25,10 @@ pub struct Scenario {
     #[serde(default)]
     #[garde(skip)]
     pub scheme: Scheme,
+    /// Runs the train model alone: no vehicles in three dimensions, no rail heat.
+    #[serde(default)]
+    #[garde(skip)]
+    pub train_alone: bool,
     /// Folder of the rolling-stock library, relative to the scenario's file.
     #[serde(default = "default_stock")]
     #[garde(skip)]

@@ -101,6 +101,17 @@ fn check_across_keys(scenario: &Scenario) -> Result<(), (&'static str, String)> 
         let message = format!("{place} is behind the tail: the train has {count} vehicles");
         return Err(("record.wheels_of", message));
     }
+    if scenario.train_alone && scenario.heat.is_some() {
+        let message = "the rail is heated by wheels; leave [heat] out, or train_alone".to_owned();
+        return Err(("train_alone", message));
+    }
+    if scenario.train_alone
+        && (scenario.fmus.vehicle.is_some() || !scenario.fmus.vehicle_at.is_empty())
+    {
+        let message = "a train alone has no vehicle FMUs; leave fmus.vehicle and fmus.vehicle_at out, \
+                       or train_alone";
+        return Err(("train_alone", message.to_owned()));
+    }
     if let Some(step) = scenario.heat.as_ref().and_then(|heat| heat.step_s)
         && !is_multiple(step, scenario.step_s)
     {
@@ -234,6 +245,15 @@ file = "driver.toml"
         let (message, at) = message(&GOOD.replace("count = 2", "count = 0"));
         assert!(message.starts_with("train.vehicles[0].count"), "{message}");
         assert_eq!(at.as_deref(), Some("0"));
+    }
+
+    #[test]
+    fn a_train_alone_heats_no_rail() {
+        let text = GOOD.replace("duration_s = 1.0", "duration_s = 1.0\ntrain_alone = true");
+        assert!(parse(&text, "s.toml").unwrap().train_alone);
+        let (message, at) = message(&format!("{text}\n[heat]\nfield_interval_s = 1.0\n"));
+        assert!(message.contains("leave [heat] out"), "{message}");
+        assert_eq!(at.as_deref(), Some("true"));
     }
 
     #[test]
