@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use toml::{Table, Value};
 
 use crate::check::{Check, StockError};
-use crate::draft_gear::DraftGear;
+use crate::draft_gear::{DraftGear, GearFile};
 use crate::vehicle::Vehicle;
 
 /// Most files in a chain of vehicles that extend one another.
@@ -85,9 +85,7 @@ impl Library {
     pub fn draft_gear(&self, name: &str) -> Result<DraftGear, StockError> {
         let file = self.root.join("draft_gears").join(format!("{name}.toml"));
         let name = file.display().to_string();
-        let gear: DraftGear = parse(&read(&file)?, &name)?;
-        gear.check(&name)?;
-        Ok(gear)
+        parse::<GearFile>(&read(&file)?, &name)?.compile(&name)
     }
 
     fn vehicle_path(&self, name: &str) -> PathBuf {

@@ -63,9 +63,9 @@ fn benchmark_vehicles_of_the_paper() {
 #[test]
 fn benchmark_official_capacity_of_the_friction_gear() {
     let gear = shipped().draft_gear("friction-gear-m901e").unwrap();
-    let energy = gear.loading.energy_to_kj(74.4);
+    let energy = gear.draft.loading.energy_to_kj(74.4);
     assert!((energy / 61.7 - 1.0).abs() < 0.02, "{energy} kJ");
-    assert_eq!(gear.loading.force_at_kn(74.4), 2518.0);
+    assert_eq!(gear.draft.loading.force_at_kn(74.4), 2518.0);
 }
 
 #[test]

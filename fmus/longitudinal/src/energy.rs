@@ -26,7 +26,7 @@ pub struct Work {
     pub dynamic_brake: f64,
     /// Friction brakes.
     pub brake: f64,
-    /// Propulsion resistance.
+    /// Propulsion resistance with the wind.
     pub resistance: f64,
     /// Curve resistance.
     pub curve_resistance: f64,
@@ -42,7 +42,7 @@ impl Work {
         self.traction += drive.max(0.0);
         self.dynamic_brake -= drive.min(0.0);
         self.brake += forces.brake * speed;
-        self.resistance += forces.resistance * speed;
+        self.resistance += forces.resistance * speed - forces.wind * vehicle.velocity;
         self.curve_resistance += forces.curve_resistance * speed;
     }
 
@@ -89,6 +89,15 @@ impl TrainDynamics {
     /// Energy that the draft gears have turned into heat since the start, J.
     pub fn gear_dissipation(&self, state: &TrainState, now: &Energy) -> f64 {
         state.gear_work - (now.stored - state.initial_energy.stored)
+    }
+
+    /// Energy that the gears between the vehicles `k` and `k + 1` have turned into heat since the
+    /// start, J: that of the gear of the vehicle in front, and of the one behind it.
+    pub fn gear_heat(&self, state: &TrainState, k: usize) -> (f64, f64) {
+        let (connection, own) = (&self.connections[k], &state.connections[k]);
+        let heat = own.taken - connection.stored_energy(own);
+        let front = connection.front_loss_share() * heat;
+        (front, heat - front)
     }
 
     /// Error of the energy balance since the start, J.
