@@ -14,6 +14,16 @@ type Points = (Vec<f64>, Vec<f64>);
 impl TrackFile {
     pub(crate) fn compile(&self, file: &str) -> Result<Track, TrackError> {
         let function = |key: &'static str, (chainages, values): Points, between: Interpolation| {
+            if let [first, second, ..] = chainages[..]
+                && first == second
+            {
+                return Err(TrackError::Value {
+                    file: file.to_owned(),
+                    key: format!("{key}[2].chainage_m"),
+                    value: second,
+                    wanted: "a step needs a point before it, from which its first value holds",
+                });
+            }
             Piecewise::new(chainages, &values, between).map_err(|source| TrackError::Points {
                 file: file.to_owned(),
                 key,

@@ -267,6 +267,14 @@ mod tests {
     }
 
     #[test]
+    fn a_step_at_the_first_point_is_refused() {
+        let text =
+            "gradient = [{ chainage_m = 0, permille = 1 }, { chainage_m = 0, permille = 2 }]";
+        let message = Track::from_toml(text, "t.toml").err().unwrap().to_string();
+        assert!(message.contains("gradient[2].chainage_m = 0: a step needs"), "{message}");
+    }
+
+    #[test]
     fn a_chainage_that_goes_back_is_refused() {
         let text =
             "gradient = [{ chainage_m = 9, permille = 1 }, { chainage_m = 8, permille = 1 }]";

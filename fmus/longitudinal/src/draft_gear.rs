@@ -182,10 +182,10 @@ impl Side {
         LinearTable::new(deflections, values).ok()
     }
 
-    /// Energy that the gear keeps when it is pushed in to a force and let go slowly, J, without
-    /// the lock.
+    /// Energy that the gear keeps when it is pushed in to a force and let go, J, without the lock.
     fn loss_to(&self, force: f64) -> f64 {
-        self.loading.energy_to(force) - self.unloading.energy_to(force)
+        let back = self.unloading.force(self.loading.deflection(force));
+        self.loading.energy_to(force) - self.unloading.energy_to(back)
     }
 
     /// Share of this gear in the heat of two in series: that of their losses at the smaller of

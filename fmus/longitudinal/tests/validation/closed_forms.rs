@@ -1,38 +1,13 @@
-//! The longitudinal train against closed forms and published figures.
-//!
-//! Each row of the table is one [`Row`]: `cargo test -p longitudinal --test validation --
-//! --nocapture` prints it.
+//! Closed forms of whole trains, and published figures by hand.
 
-mod support;
-
+use crate::support::*;
 use longitudinal::connection::{Connection, ConnectionState};
 use longitudinal::driver::Command;
 use longitudinal::{Couplers, TrainDynamics, TrainState, draft_gear};
 use stock::Vehicle;
-use support::*;
 use track::Track;
 
 const KMH: f64 = 1.0 / 3.6;
-
-/// One line of the validation table.
-struct Row<'a> {
-    case: &'a str,
-    value: f64,
-    expected: f64,
-    unit: &'a str,
-    source: &'a str,
-    /// Allowed difference, and why it is what it is.
-    tolerance: (f64, &'a str),
-}
-
-impl Row<'_> {
-    fn holds(&self) {
-        let Self { case, value, expected, unit, source, tolerance } = self;
-        println!("| {case} | {value} {unit} | {expected} {unit} | {source} | {tolerance:?} |");
-        let difference = (value - expected).abs();
-        assert!(difference <= tolerance.0, "{case}: {value} {unit}, expected {expected} {unit}");
-    }
-}
 
 /// Resistance of all vehicles at their velocities, N.
 fn resistance(train: &TrainDynamics, state: &TrainState) -> f64 {
