@@ -68,6 +68,23 @@ fn benchmark_official_capacity_of_the_friction_gear() {
     assert_eq!(gear.draft.loading.force_at_kn(74.4), 2518.0);
 }
 
+/// Everything that is shipped can be used.
+#[test]
+fn property_every_shipped_file_is_read() {
+    let names = |part: &str| -> Vec<String> {
+        let files = std::fs::read_dir(Path::new(ROOT).join(part)).unwrap();
+        let files = files.map(|file| file.unwrap().path());
+        files.map(|file| file.file_stem().unwrap().to_str().unwrap().to_owned()).collect()
+    };
+    for name in names("vehicles") {
+        let vehicle = shipped().vehicle(&name).unwrap();
+        shipped().draft_gear(&vehicle.coupler.draft_gear).unwrap();
+    }
+    for name in names("draft_gears") {
+        shipped().draft_gear(&name).unwrap();
+    }
+}
+
 #[test]
 fn a_vehicle_changes_single_values_of_the_one_it_extends() {
     let text = "extends = 'locomotive-coco-134t'\n[brake]\nlag_s = 2.0\n";

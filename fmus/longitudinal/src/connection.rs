@@ -94,6 +94,7 @@ impl Connection {
     }
 
     /// Energy that the gears give back when they are let go, J (theory, eq. 8).
+    #[inline]
     pub fn stored_energy(&self, state: &ConnectionState) -> f64 {
         let side = if state.deflection > 0.0 { &self.draft } else { &self.buff };
         let beyond = state.deflection.abs() - self.half_slack;

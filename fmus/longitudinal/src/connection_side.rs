@@ -110,6 +110,7 @@ impl ConnectionSide {
 
     /// Energy that the gears give back when they are let go, J (theory, eq. 8); with a transition
     /// speed, what they give back when they are let go slowly.
+    #[inline]
     pub fn stored_energy(&self, force: f64, beyond: f64) -> f64 {
         if self.transition_speed > 0.0 {
             let after = self.begins.partition_point(|begin| *begin <= beyond);
@@ -146,6 +147,7 @@ impl ConnectionSide {
 
     /// The piece whose unloading curve is met from a held deflection, searched from the piece of
     /// the last lookup.
+    #[inline]
     fn piece_held_at(&self, held: f64) -> &Piece {
         let mut i = self.index;
         while i > 0 && held < self.pieces[i].held {

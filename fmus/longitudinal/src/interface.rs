@@ -202,7 +202,11 @@ impl Train {
         values[signals.train.greatest_tension] = totals.greatest_tension;
         values[signals.train.greatest_buff] = totals.greatest_buff;
 
-        let energy = self.dynamics.energy(train);
+        let vehicles = &signals.vehicles;
+        let energy = self.dynamics.energy_and_heat(train, |k, front, rear| {
+            values[vehicles[k].gear_heat[1]] = front;
+            values[vehicles[k + 1].gear_heat[0]] = rear;
+        });
         values[signals.energy.traction] = train.work.traction;
         values[signals.energy.dynamic_brake] = train.work.dynamic_brake;
         values[signals.energy.brake] = train.work.brake;
@@ -229,11 +233,6 @@ impl Train {
             values[signals.brake] = forces.brake;
             values[signals.wheel_brake_power] =
                 self.dynamics.vehicles()[i].wheel_brake_power(state);
-        }
-        for k in 0..self.dynamics.connections().len() {
-            let (front, rear) = self.dynamics.gear_heat(train, k);
-            values[signals.vehicles[k].gear_heat[1]] = front;
-            values[signals.vehicles[k + 1].gear_heat[0]] = rear;
         }
     }
 }

@@ -259,10 +259,20 @@ fn a_profile_that_goes_back_is_refused() {
     assert!(message.contains("profile[1].chainage_m = 3 values: row 3"), "{message}");
 }
 
+/// The international benchmark is prepared but open: each of its files is refused by what is missing.
 #[test]
-fn the_scenario_files_of_the_repository_are_read() {
-    let scenarios = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
-    for name in ["curve-constant-speed", "benchmarks/tps-a"] {
-        Driver::from_file(&scenarios.join(name).join("driver.toml")).unwrap();
+fn the_open_benchmark_is_refused_until_it_is_filled_in() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/benchmarks/ibltd");
+    let stock = stock::Library::open(folder.join("stock")).unwrap();
+    let messages = [
+        stock::Consist::from_file(&folder.join("consist.toml")).unwrap_err().to_string(),
+        Track::from_file(&folder.join("track.toml")).unwrap_err().to_string(),
+        Driver::from_file(&folder.join("driver.toml")).unwrap_err().to_string(),
+        stock.vehicle("ibltd-wagon").unwrap_err().to_string(),
+        stock.vehicle("ibltd-locomotive").unwrap_err().to_string(),
+        stock.draft_gear("ibltd-gear").unwrap_err().to_string(),
+    ];
+    for message in messages {
+        assert!(message.contains("ibltd") && message.contains("FILL IN"), "{message}");
     }
 }

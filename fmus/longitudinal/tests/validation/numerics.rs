@@ -69,7 +69,7 @@ fn analytic_longest_stable_step_separates_bounded_from_growing() {
 /// Every shipped gear is stable at 1 ms with the paper's vehicles.
 #[test]
 fn property_shipped_gears_are_stable_at_the_step_of_the_model() {
-    for name in ["friction-gear-m901e", "elastic-tps"] {
+    for name in ["friction-gear-m901e", "friction-gear-sa3", "elastic-tps"] {
         let train = train(&block_train(1, 3), &gear(name), Track::straight());
         let (longest, _) = train.longest_stable_step();
         println!("| longest stable step, {name} | {longest:.4} s |");
