@@ -78,6 +78,10 @@ pub struct Vehicle {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Coupler {
+    /// What it couples to: the same kind at the neighbour's end. "automatic", "screw", "drawbar" or
+    /// any other name.
+    #[serde(default = "automatic")]
+    pub kind: String,
     /// Name of the draft gear.
     pub draft_gear: String,
     /// Share of this coupler in the free play of a connection, mm.
@@ -90,13 +94,25 @@ pub struct Coupler {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RearCoupler {
+    /// What it couples to, as at the front.
+    #[serde(default = "automatic")]
+    pub kind: String,
     /// Name of the draft gear.
     pub draft_gear: String,
     /// Share of this coupler in the free play of a connection, mm.
     pub slack_mm: f64,
 }
 
+fn automatic() -> String {
+    "automatic".to_owned()
+}
+
 impl Coupler {
+    /// What the rear end couples to.
+    pub fn rear_kind(&self) -> &str {
+        self.rear.as_ref().map_or(&self.kind, |rear| &rear.kind)
+    }
+
     /// Name of the draft gear at the rear end.
     pub fn rear_draft_gear(&self) -> &str {
         self.rear.as_ref().map_or(&self.draft_gear, |rear| &rear.draft_gear)

@@ -29,6 +29,25 @@ pub enum BuildError {
         /// Reason.
         source: TableError,
     },
+    /// Two neighbours have couplers of different kinds.
+    #[error(
+        "vehicles {number} and {next} of the consist do not fit: the rear coupler of {front} is \
+         {front_kind:?}, the front coupler of {rear} is {rear_kind:?} (coupler.kind)"
+    )]
+    DoNotFit {
+        /// Number of the vehicle in front, from 1.
+        number: usize,
+        /// Number of the vehicle behind it.
+        next: usize,
+        /// Type of the vehicle in front.
+        front: String,
+        /// Kind of its rear coupler.
+        front_kind: String,
+        /// Type of the vehicle behind it.
+        rear: String,
+        /// Kind of its front coupler.
+        rear_kind: String,
+    },
     /// A hand brake is applied that a vehicle does not have.
     #[error(
         "vehicle {number} of the consist: hand_brake = {share}: its type {vehicle} has no section \
@@ -158,8 +177,18 @@ impl TrainDynamics {
         };
         let vehicles =
             members.iter().map(|(vehicle, ..)| Vehicle::new(vehicle).map_err(of(vehicle)));
-        let connections = members.windows(2).map(|pair| {
+        let connections = members.windows(2).enumerate().map(|(k, pair)| {
             let ((front, _, front_gear), (rear, rear_gear, _)) = (pair[0], pair[1]);
+            if front.coupler.rear_kind() != rear.coupler.kind {
+                return Err(BuildError::DoNotFit {
+                    number: k + 1,
+                    next: k + 2,
+                    front: front.name.clone(),
+                    front_kind: front.coupler.rear_kind().to_owned(),
+                    rear: rear.name.clone(),
+                    rear_kind: rear.coupler.kind.clone(),
+                });
+            }
             Ok(Connection::new(
                 &DraftGear::new(front_gear).map_err(of(front))?,
                 &DraftGear::new(rear_gear).map_err(of(rear))?,

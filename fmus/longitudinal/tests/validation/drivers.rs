@@ -77,14 +77,20 @@ fn property_drivers_keep_to_a_speed_profile_over_a_rolling_line() {
     ];
     for (name, text, rms, greatest) in cases {
         let errors = speed_errors(&format!("{SPEED}{text}"));
-        println!("| speed kept by {name} | rms {:.2}, greatest {:.2} km/h |", errors.0, errors.1);
+        let value = format!("{:.2}, {:.2} km/h", errors.0, errors.1);
+        let limits = format!("{rms}, {greatest} km/h");
+        bound(&format!("rms and greatest error of the speed by {name}"), &limits, &value);
         assert!(errors.0 < rms && errors.1 < greatest, "{name}: {errors:?}");
     }
     let uncontrolled = speed_errors(&format!(
         "{SPEED}[cruise]\nproportional_per_s = 0\nintegral_per_s2 = 0\n[levers]\nnotch_interval_s = 60\n\
          dynamic_brake_s = 600\ntrain_brake_s = 600"
     ));
-    println!("| speed without control | {uncontrolled:?} |");
+    bound(
+        "the same with feed-forward only and levers that hardly move",
+        "over 15 km/h",
+        &format!("{:.2}, {:.2} km/h", uncontrolled.0, uncontrolled.1),
+    );
     assert!(uncontrolled.1 > 15.0, "{uncontrolled:?}");
 }
 

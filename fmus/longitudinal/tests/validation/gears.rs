@@ -259,3 +259,18 @@ fn analytic_impact_with_a_blended_law() {
     }
     .holds();
 }
+
+/// A screw coupling does not couple to an automatic one; a pair on a drawbar couples inside.
+#[test]
+fn vehicles_whose_couplers_do_not_fit_are_refused() {
+    let couple = |front: &str, rear: &str| {
+        let vehicles = [vehicle_of(front), vehicle_of(rear)];
+        let gear = friction_gear();
+        TrainDynamics::new(vehicles.iter().map(|v| (v, &gear)), Track::straight()).map(|_| ())
+    };
+    let message = couple("coupler.kind = 'screw'", "").unwrap_err().to_string();
+    assert!(message.contains("vehicles 1 and 2 of the consist do not fit"), "{message}");
+    assert!(message.contains("\"screw\"") && message.contains("\"automatic\""), "{message}");
+    let with_bar = "coupler.rear = { kind = 'drawbar', draft_gear = 'elastic-tps', slack_mm = 0 }";
+    assert!(couple(with_bar, "coupler.kind = 'drawbar'").is_ok());
+}

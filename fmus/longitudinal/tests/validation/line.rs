@@ -125,3 +125,37 @@ fn analytic_energy_balance_over_a_crest_with_long_vehicles() {
     }
     .holds();
 }
+
+/// Static sag: the force changes from coupler to coupler by the weight of the vehicle between them
+/// along the gradient at its place. The train hangs on its first vehicle, which is braked.
+#[test]
+fn analytic_static_forces_in_a_sag() {
+    let text =
+        "gradient = [{ chainage_m = -400, permille = -20 }, { chainage_m = 0, permille = 20 }]";
+    let gear = gear_of(
+        "name = 'damped'\nsource = 'test'\ndamping_kn_s_m = 3000\nstructure_stiffness_mn_m = 20\n\
+         [loading]\ndeflection_mm = [0, 50]\nforce_kn = [0, 1000]\n",
+    );
+    let mut vehicles = vec![without_resistance(wagon()); 16];
+    vehicles.iter_mut().for_each(|vehicle| vehicle.coupler.slack_mm = 0.0);
+    vehicles[0] = vehicle_of("coupler.slack_mm = 0.0\nbrake.net_braking_ratio = 0.9");
+    for vehicle in &mut vehicles[1..] {
+        vehicle.brake.net_braking_ratio = 0.0;
+    }
+    let mut train = train(&vehicles, &gear, Track::from_toml(text, "sag").unwrap());
+    let mut state = start(&mut train, 0.0, Couplers::Unstressed, train_brake(1.0));
+    train.advance(&mut state, &train_brake(1.0), 300.0);
+    for i in [1, 8, 14] {
+        let vehicle = &state.vehicles[i];
+        let gradient = 20e-3 + vehicle.position * 1e-4;
+        Row {
+            case: &format!("change of the coupler force over vehicle {} in a sag", i + 1),
+            value: state.connections[i - 1].force - state.connections[i].force,
+            expected: 134e3 * 9.80665 * gradient,
+            unit: "N",
+            source: "closed form",
+            tolerance: (0.1, "what is left of the swinging after 300 s, of forces of 1e4 N"),
+        }
+        .holds();
+    }
+}

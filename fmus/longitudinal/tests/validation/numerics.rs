@@ -72,7 +72,11 @@ fn property_shipped_gears_are_stable_at_the_step_of_the_model() {
     for name in ["friction-gear-m901e", "friction-gear-sa3", "elastic-tps"] {
         let train = train(&block_train(1, 3), &gear(name), Track::straight());
         let (longest, _) = train.longest_stable_step();
-        println!("| longest stable step, {name} | {longest:.4} s |");
+        bound(
+            &format!("longest stable step, {name}"),
+            "over 1 ms",
+            &format!("{:.1} ms", longest * 1e3),
+        );
         assert!(longest > LONGEST_STEP);
     }
 }
@@ -126,9 +130,12 @@ fn property_error_falls_with_the_square_of_the_step() {
         state.vehicles[3].velocity
     };
     let finest = end(2.5e-5);
-    let errors: Vec<f64> =
-        [1e-3, 5e-4, 2.5e-4].into_iter().map(|step| (end(step) - finest).abs()).collect();
-    println!("| error at 1, 0.5, 0.25 ms | {errors:?} m/s |");
+    let errors = [1e-3, 5e-4, 2.5e-4].map(|step| (end(step) - finest).abs());
+    bound(
+        "error of a speed at 1, 0.5, 0.25 ms",
+        "by the square of the step",
+        &format!("{} m/s", errors.map(|error| format!("{error:.2e}")).join(", ")),
+    );
     for pair in errors.windows(2) {
         let order = (pair[0] / pair[1]).log2();
         // The finest step has an error of its own, a hundredth of that at 0.25 ms.
@@ -154,8 +161,10 @@ fn property_gears_do_not_chatter() {
     let highest = 2.0 * (200e6 / 134e3_f64).sqrt();
     let most = (5.0 * highest / std::f64::consts::PI) as usize + 1;
     let greatest = changes.iter().fold(0.0_f64, |a, change| a.max(change.abs()));
-    println!(
-        "| reversals of a coupler force in 5 s | {reversals} of at most {most} | {greatest} N a step |"
+    bound(
+        "reversals of a coupler force in 5 s",
+        &format!("{most}, of the highest frequency"),
+        &format!("{reversals}, of up to {greatest:.0} N a step"),
     );
     assert!(reversals <= most, "{reversals} of at most {most}");
     // 1e-3 of the force in a step of 1 ms.

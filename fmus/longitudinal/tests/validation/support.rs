@@ -33,9 +33,29 @@ impl Row<'_> {
     /// Prints the line and fails unless the value is within the tolerance.
     pub fn holds(&self) {
         let Self { case, value, expected, unit, source, tolerance } = self;
-        println!("| {case} | {expected} {unit} | {source} | {value} {unit} | {tolerance:?} |");
+        println!(
+            "| {case} | {} {unit} | {source} | {} {unit} | {} {unit}: {} |",
+            short(*expected),
+            short(*value),
+            short(tolerance.0),
+            tolerance.1
+        );
         let difference = (value - expected).abs();
         assert!(difference <= tolerance.0, "{case}: {value} {unit}, expected {expected} {unit}");
+    }
+}
+
+/// Prints a line of the table whose expectation is a bound.
+pub fn bound(case: &str, bound: &str, value: &str) {
+    println!("| {case} | {bound} | bound | {value} | |");
+}
+
+/// A number with six digits.
+pub fn short(value: f64) -> String {
+    let digits = 5 - value.abs().max(1e-12).log10().floor() as i32;
+    match digits {
+        0..=9 => format!("{value:.*}", digits as usize),
+        _ => format!("{value:.3e}"),
     }
 }
 
