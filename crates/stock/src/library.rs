@@ -10,7 +10,8 @@ use serde::de::DeserializeOwned;
 use toml::{Table, Value};
 
 use crate::check::{Check, StockError};
-use crate::draft_gear::{DraftGear, GearFile};
+use crate::draft_gear::DraftGear;
+use crate::gear_file::GearFile;
 use crate::vehicle::Vehicle;
 
 /// Most files in a chain of vehicles that extend one another.
