@@ -135,6 +135,30 @@ fn a_table_that_does_not_rise_is_refused_with_its_row() {
 }
 
 #[test]
+fn efforts_given_twice_are_refused() {
+    let rows = "[[1], [2], [3], [4], [5], [6], [7], [8]]";
+    let message = message(&format!("[traction.by_notch]\nspeed_kmh = [0]\neffort_kn = {rows}"));
+    assert!(message.contains("traction.effort = both: needs either"), "{message}");
+}
+
+#[test]
+fn a_table_without_all_notches_is_refused() {
+    let text = "extends = 'locomotive-coco-134t'\nwithout = ['traction']\n[traction]\nramp_s = 1\n\
+                [traction.by_notch]\nspeed_kmh = [0]\neffort_kn = [[1], [2]]";
+    let error = Scratch::with("changed", text).vehicle("changed").unwrap_err().to_string();
+    assert!(error.contains("traction.by_notch.effort_kn = 2 rows: needs eight rows"), "{error}");
+}
+
+#[test]
+fn an_air_brake_without_its_section_is_refused() {
+    let message = message("brake.control = 'air'");
+    assert!(
+        message.contains("brake.control = \"air\": needs the section [brake.air]"),
+        "{message}"
+    );
+}
+
+#[test]
 fn a_section_to_leave_out_must_exist() {
     let message = message("without = ['tracton']");
     assert!(message.contains("without = \"tracton\": locomotive-coco-134t has only"), "{message}");

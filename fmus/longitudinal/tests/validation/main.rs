@@ -11,6 +11,7 @@
 //! | `line.rs` | curve resistance, wind, starting, length over gradients |
 //! | `brakes.rs` | air brake, locomotive brake, hand brakes, heat of the wheels |
 //! | `drivers.rs` | control of the speed, replay of a logger, remote locomotives |
+//! | `traction.rs` | effort by notch, power, adhesion, splines |
 //! | `numerics.rs` | the step: stable range, convergence, chatter, standstill |
 
 mod brakes;
@@ -21,3 +22,4 @@ mod gears;
 mod line;
 mod numerics;
 mod support;
+mod traction;
