@@ -60,6 +60,7 @@ impl LinearTable {
     }
 
     /// The value at `x`; `index` is any number at first and the place of the last lookup later.
+    #[inline]
     pub fn value(&self, x: f64, index: &mut usize) -> f64 {
         let last = self.x.len() - 1;
         if x <= self.x[0] {
@@ -87,6 +88,7 @@ impl LinearTable {
 
 /// The interval of the rising values `x` that holds `value`, searched from the interval `guess`:
 /// `x[i] <= value < x[i + 1]`. Outside it is the first or the last interval.
+#[inline]
 pub fn interval(x: &[f64], value: f64, guess: usize) -> usize {
     let last = x.len().saturating_sub(2);
     let mut i = guess.min(last);

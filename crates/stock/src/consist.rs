@@ -7,6 +7,10 @@
 //! [[vehicle]]
 //! type = "wagon-coco-134t-unpowered"
 //! count = 128
+//! hand_brake = 0.0             # share of the hand brakes' force that is applied
+//! [[vehicle]]
+//! type = "locomotive-coco-134t"
+//! group = 1                    # remote locomotives with commands of their own; 0: the leading ones
 //! ```
 
 use std::path::Path;
@@ -19,11 +23,25 @@ use crate::library::{parse, read};
 /// Most vehicles a train may have.
 const MOST_VEHICLES: usize = 1000;
 
-/// The vehicle types of a train in order from its head.
+/// Most groups of locomotives.
+const MOST_GROUPS: usize = 16;
+
+/// The vehicles of a train in order from its head.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Consist {
     /// Name of each vehicle's type.
     pub types: Vec<String>,
+    /// What else each vehicle has.
+    pub members: Vec<Member>,
+}
+
+/// What a vehicle has in this train.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Member {
+    /// Group whose commands it follows; 0 is the leading one.
+    pub group: usize,
+    /// Share of the hand brake's force that is applied, 0 to 1.
+    pub hand_brake: f64,
 }
 
 #[derive(Deserialize)]
@@ -38,6 +56,10 @@ struct Block {
     r#type: String,
     #[serde(default = "one")]
     count: usize,
+    #[serde(default)]
+    group: usize,
+    #[serde(default)]
+    hand_brake: f64,
 }
 
 fn one() -> usize {
@@ -60,18 +82,26 @@ impl Consist {
     pub fn from_toml(text: &str, name: &str) -> Result<Self, StockError> {
         let content: ConsistFile = parse(text, name)?;
         let check = Check::new(name);
-        let mut types: Vec<String> = vec![];
+        let (mut types, mut members): (Vec<String>, Vec<Member>) = (vec![], vec![]);
         for (i, block) in content.vehicle.into_iter().enumerate() {
             if !(1..=MOST_VEHICLES - types.len()).contains(&block.count) {
                 let wanted = format!("must be at least 1, and {MOST_VEHICLES} in all at most");
                 let key = format!("vehicle[{}].count", i + 1);
                 return Err(check.error(&key, block.count, wanted));
             }
+            let key = |name: &str| format!("vehicle[{}].{name}", i + 1);
+            check.between(&key("hand_brake"), block.hand_brake, 0.0, 1.0)?;
+            if block.group >= MOST_GROUPS {
+                let wanted = format!("must be less than {MOST_GROUPS}");
+                return Err(check.error(&key("group"), block.group, wanted));
+            }
+            let member = Member { group: block.group, hand_brake: block.hand_brake };
+            members.extend(std::iter::repeat_n(member, block.count));
             types.extend(std::iter::repeat_n(block.r#type, block.count));
         }
         match types.is_empty() {
             true => Err(check.error("vehicle", "[]", "must have at least one vehicle")),
-            false => Ok(Self { types }),
+            false => Ok(Self { types, members }),
         }
     }
 }

@@ -9,28 +9,42 @@
 //! |---|---|
 //! | `library.rs` | the folder of files; a vehicle that extends another |
 //! | `vehicle.rs` | the vehicle file |
+//! | `resistance.rs` | its section on propulsion and curve resistance, with the formulas |
 //! | `propulsion.rs` | its sections on traction and dynamic brake |
+//! | `brake.rs` | its sections on friction brakes |
 //! | `multibody.rs` | its section for the three-dimensional model; `multibody_check.rs` checks it |
-//! | `draft_gear.rs` | the draft-gear file |
+//! | `gear_file.rs`, `wedge.rs` | the draft-gear file |
+//! | `draft_gear.rs`, `force_curve.rs` | what it comes down to: forces over deflections |
 //! | `consist.rs` | the consist file: the vehicles of a train in order |
 //! | `check.rs` | what a value must be, and the error that says so |
 
+mod brake;
 mod check;
 mod consist;
 mod draft_gear;
+mod force_curve;
+mod gear_file;
 mod library;
 mod multibody;
 mod multibody_check;
 mod propulsion;
+mod resistance;
 mod vehicle;
+mod wedge;
 
+pub use brake::{AirBrake, Brake, BrakeControl, FractionByTime, HandBrake, LocomotiveBrake};
 pub use check::{Check, StockError};
-pub use consist::Consist;
-pub use draft_gear::{DraftGear, ForceCurve};
+pub use consist::{Consist, Member};
+pub use draft_gear::{Characteristic, DraftGear, Orifice};
+pub use force_curve::ForceCurve;
 pub use library::{Library, read_toml};
 pub use multibody::{
     Body, CouplerAttachment, CreepLaw, Damper, Direction, Multibody, Spring, Stop,
     WheelRailContact, Wheelset,
 };
-pub use propulsion::{DynamicBrake, EffortBySpeed, Traction, ValueBySpeed};
-pub use vehicle::{Brake, Coupler, Resistance, Vehicle};
+pub use propulsion::{
+    Between, DynamicBrake, EffortByNotch, EffortBySpeed, NOTCHES, Traction, ValueBySpeed,
+};
+pub use resistance::{CurveFormula, CurveTable, DavisCoefficients, Resistance, ResistanceFormula};
+pub use vehicle::{Coupler, RearCoupler, Vehicle};
+pub use wedge::Wedge;

@@ -11,6 +11,7 @@ use toml::{Table, Value};
 
 use crate::check::{Check, StockError};
 use crate::draft_gear::DraftGear;
+use crate::gear_file::GearFile;
 use crate::vehicle::Vehicle;
 
 /// Most files in a chain of vehicles that extend one another.
@@ -90,9 +91,7 @@ impl Library {
     pub fn draft_gear(&self, name: &str) -> Result<DraftGear, StockError> {
         let file = self.root.join("draft_gears").join(format!("{name}.toml"));
         let name = file.display().to_string();
-        let gear: DraftGear = parse(&read(&file)?, &name)?;
-        gear.check(&name)?;
-        Ok(gear)
+        parse::<GearFile>(&read(&file)?, &name)?.compile(&name)
     }
 
     fn vehicle_path(&self, name: &str) -> PathBuf {

@@ -4,24 +4,50 @@ use serde::Deserialize;
 
 use crate::check::{Check, StockError};
 
+/// Number of the highest notch.
+pub const NOTCHES: usize = 8;
+
 /// Section `[traction]`: effort by notch and speed.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Traction {
-    /// Power for traction in the highest notch, kW.
-    pub power_kw: f64,
+    /// Power for traction in the highest notch, kW; none: the effort alone limits.
+    pub power_kw: Option<f64>,
     /// Share of that power that reaches the rail.
+    #[serde(default = "one")]
     pub efficiency: f64,
-    /// Share of the power in each notch, idle first.
+    /// Share of the power in each notch, idle first; needed with `power_kw`.
+    #[serde(default)]
     pub notch_power: Vec<f64>,
     /// Share of the effort limit in each notch, idle first.
+    #[serde(default = "eighths")]
     pub notch_effort: Vec<f64>,
     /// Time from idle to the highest notch, s.
     pub ramp_s: f64,
     /// Greatest effort of the drive by speed.
-    pub effort: EffortBySpeed,
-    /// Adhesion that the wheels find, by speed: effort over weight.
-    pub adhesion: ValueBySpeed,
+    pub effort: Option<EffortBySpeed>,
+    /// Effort in each notch by speed, instead of `effort` and `notch_effort`.
+    pub by_notch: Option<EffortByNotch>,
+    /// Adhesion that the wheels find, by speed: effort over weight; none: no limit.
+    pub adhesion: Option<ValueBySpeed>,
+}
+
+/// Efforts of the notches 1 to 8 by speed.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EffortByNotch {
+    /// Speeds, rising from zero, km/h.
+    pub speed_kmh: Vec<f64>,
+    /// A row for each notch, of one force for each speed, kN.
+    pub effort_kn: Vec<Vec<f64>>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn eighths() -> Vec<f64> {
+    (0..=NOTCHES).map(|notch| notch as f64 / NOTCHES as f64).collect()
 }
 
 /// Section `[dynamic_brake]`: full effort by speed.
@@ -34,14 +60,28 @@ pub struct DynamicBrake {
     pub effort: EffortBySpeed,
 }
 
-/// A force by speed, linear between its points and constant beyond them.
+/// A force by speed, constant beyond its points.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct EffortBySpeed {
-    /// Speeds, rising from zero, km/h.
+    /// Speeds, rising from zero, km/h. One that stands twice is a corner of a spline.
     pub speed_kmh: Vec<f64>,
     /// Forces, kN.
     pub effort_kn: Vec<f64>,
+    /// What lies between the points: "linear" or "cubic", a spline.
+    #[serde(default)]
+    pub interpolation: Between,
+}
+
+/// What lies between two points of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Between {
+    /// A straight line.
+    #[default]
+    Linear,
+    /// A cubic spline.
+    Cubic,
 }
 
 /// A ratio by speed, linear between its points and constant beyond them.
@@ -56,25 +96,60 @@ pub struct ValueBySpeed {
 
 impl Traction {
     pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
-        check.positive("power_kw", self.power_kw)?;
         check.between("efficiency", self.efficiency, 0.1, 1.0)?;
         check.between("ramp_s", self.ramp_s, 0.0, 600.0)?;
-        let keys = [("notch_power", &self.notch_power), ("notch_effort", &self.notch_effort)];
-        for (key, shares) in keys {
-            if shares.len() != 9 {
-                let wanted = "needs nine values, for idle and the notches 1 to 8";
-                return Err(check.error(key, format!("{shares:?}"), wanted));
+        match self.power_kw {
+            Some(power) => {
+                check.positive("power_kw", power)?;
+                check_shares(check, "notch_power", &self.notch_power)?;
             }
-            if shares[0] != 0.0 {
-                return Err(check.error(&format!("{key}[1]"), shares[0], "must be zero in idle"));
-            }
-            for (i, &share) in shares.iter().enumerate() {
-                let least = if i == 0 { 0.0 } else { shares[i - 1] };
-                check.between(&format!("{key}[{}]", i + 1), share, least, 1.0)?;
+            None if self.notch_power.is_empty() => {}
+            None => return Err(check.error("power_kw", "none", "needed by notch_power")),
+        }
+        check_shares(check, "notch_effort", &self.notch_effort)?;
+        match (&self.effort, &self.by_notch) {
+            (Some(effort), None) => effort.check(&check.section("effort"))?,
+            (None, Some(by_notch)) => by_notch.check(&check.section("by_notch"))?,
+            (effort, _) => {
+                let found = if effort.is_some() { "both" } else { "none" };
+                let wanted = "needs either [traction.effort] or [traction.by_notch]";
+                return Err(check.error("effort", found, wanted));
             }
         }
-        self.effort.check(&check.section("effort"))?;
-        self.adhesion.check(&check.section("adhesion"))
+        match &self.adhesion {
+            Some(adhesion) => adhesion.check(&check.section("adhesion")),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Shares of idle and the notches: nine, from zero, not falling, at most one.
+fn check_shares(check: &Check, key: &str, shares: &[f64]) -> Result<(), StockError> {
+    if shares.len() != NOTCHES + 1 {
+        let wanted = "needs nine values, for idle and the notches 1 to 8";
+        return Err(check.error(key, format!("{shares:?}"), wanted));
+    }
+    if shares[0] != 0.0 {
+        return Err(check.error(&format!("{key}[1]"), shares[0], "must be zero in idle"));
+    }
+    for (i, &share) in shares.iter().enumerate() {
+        let least = if i == 0 { 0.0 } else { shares[i - 1] };
+        check.between(&format!("{key}[{}]", i + 1), share, least, 1.0)?;
+    }
+    Ok(())
+}
+
+impl EffortByNotch {
+    fn check(&self, check: &Check) -> Result<(), StockError> {
+        if self.effort_kn.len() != NOTCHES {
+            let wanted = "needs eight rows, one for each notch from 1 to 8";
+            return Err(check.error("effort_kn", format!("{} rows", self.effort_kn.len()), wanted));
+        }
+        for (i, row) in self.effort_kn.iter().enumerate() {
+            let key = format!("effort_kn[{}]", i + 1);
+            check.columns(("speed_kmh", &self.speed_kmh), (&key, row), 1)?;
+        }
+        Ok(())
     }
 }
 
@@ -91,8 +166,20 @@ impl DynamicBrake {
 }
 
 impl EffortBySpeed {
-    fn check(&self, check: &Check) -> Result<(), StockError> {
-        check.columns(("speed_kmh", &self.speed_kmh), ("effort_kn", &self.effort_kn), 1)
+    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+        // A speed may stand twice, as the corner of a spline: the rest must be as in any table.
+        let (mut speeds, mut efforts) = (self.speed_kmh.clone(), self.effort_kn.clone());
+        let corner = |i: &usize| {
+            let same = |column: &[f64]| column.len() > *i && column[*i] == column[i - 1];
+            same(&self.speed_kmh) && same(&self.effort_kn)
+        };
+        if self.interpolation == Between::Cubic {
+            for i in (1..speeds.len()).filter(corner).collect::<Vec<_>>().into_iter().rev() {
+                speeds.remove(i);
+                efforts.remove(i);
+            }
+        }
+        check.columns(("speed_kmh", &speeds), ("effort_kn", &efforts), 1)
     }
 }
 

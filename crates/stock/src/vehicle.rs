@@ -11,7 +11,7 @@
 //! draft_gear = "friction-gear-m901e"   # a file in draft_gears/
 //! slack_mm = 9.9                       # this coupler's share of the free play of a connection
 //!
-//! [resistance]                 # factor (constant m + axle n + linear m V + quadratic V^2)
+//! [resistance]                 # other formulas: see resistance.rs; here factor (constant m + axle n + linear m V + quadratic V^2)
 //! factor = 1.0
 //! constant_n_per_t = 2.943
 //! axle_n = 89.2
@@ -30,9 +30,11 @@
 
 use serde::Deserialize;
 
+use crate::brake::{Brake, HandBrake, LocomotiveBrake};
 use crate::check::{Check, StockError};
 use crate::multibody::Multibody;
-use crate::propulsion::{DynamicBrake, Traction, ValueBySpeed};
+use crate::propulsion::{DynamicBrake, Traction};
+use crate::resistance::Resistance;
 
 /// A type of vehicle.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -61,6 +63,13 @@ pub struct Vehicle {
     pub dynamic_brake: Option<DynamicBrake>,
     /// Friction brake.
     pub brake: Brake,
+    /// Brake of the locomotives alone, if this is one.
+    pub locomotive_brake: Option<LocomotiveBrake>,
+    /// Hand brake, if there is one.
+    pub hand_brake: Option<HandBrake>,
+    /// Whether gradient and curve act over the whole length instead of at the middle.
+    #[serde(default)]
+    pub along_its_length: bool,
     /// Bodies, suspension and contact of the three-dimensional model.
     pub multibody: Option<Multibody>,
 }
@@ -69,48 +78,50 @@ pub struct Vehicle {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Coupler {
+    /// What it couples to: the same kind at the neighbour's end. "automatic", "screw", "drawbar" or
+    /// any other name.
+    #[serde(default = "automatic")]
+    pub kind: String,
+    /// Name of the draft gear.
+    pub draft_gear: String,
+    /// Share of this coupler in the free play of a connection, mm.
+    pub slack_mm: f64,
+    /// What stands at the rear end, if it is not the same, as with a drawbar.
+    pub rear: Option<RearCoupler>,
+}
+
+/// Section `[coupler.rear]`.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RearCoupler {
+    /// What it couples to, as at the front.
+    #[serde(default = "automatic")]
+    pub kind: String,
     /// Name of the draft gear.
     pub draft_gear: String,
     /// Share of this coupler in the free play of a connection, mm.
     pub slack_mm: f64,
 }
 
-/// Section `[resistance]`: coefficients of the propulsion resistance
-/// `factor (constant m + axle n + linear m V + quadratic V²)` and of the curve resistance, with
-/// the mass m in t, n axles and the speed V in km/h.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Resistance {
-    /// Factor on the propulsion resistance.
-    pub factor: f64,
-    /// Part by mass, N/t.
-    pub constant_n_per_t: f64,
-    /// Part by axles, N.
-    pub axle_n: f64,
-    /// Part by mass and speed, N/(t km/h).
-    pub linear_n_per_t_kmh: f64,
-    /// Part by the square of the speed, N/(km/h)².
-    pub quadratic_n_per_kmh2: f64,
-    /// Curve resistance times radius, N m/t.
-    pub curve_n_m_per_t: f64,
+fn automatic() -> String {
+    "automatic".to_owned()
 }
 
-/// Section `[brake]`: an electronically controlled pneumatic (ECP) friction brake.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Brake {
-    /// Force of all shoes over the vehicle's weight at full service.
-    pub net_braking_ratio: f64,
-    /// Time from a command to the first change of the cylinder pressure, s.
-    pub dead_time_s: f64,
-    /// Shortest time from empty to full service, s.
-    pub build_up_s: f64,
-    /// Shortest time from full service to empty, s.
-    pub release_s: f64,
-    /// Time constant with which the pressure comes to its target, s.
-    pub lag_s: f64,
-    /// Friction coefficient of the shoes by speed.
-    pub shoe_friction: ValueBySpeed,
+impl Coupler {
+    /// What the rear end couples to.
+    pub fn rear_kind(&self) -> &str {
+        self.rear.as_ref().map_or(&self.kind, |rear| &rear.kind)
+    }
+
+    /// Name of the draft gear at the rear end.
+    pub fn rear_draft_gear(&self) -> &str {
+        self.rear.as_ref().map_or(&self.draft_gear, |rear| &rear.draft_gear)
+    }
+
+    /// Share of the rear coupler in the free play of a connection, mm.
+    pub fn rear_slack_mm(&self) -> f64 {
+        self.rear.as_ref().map_or(self.slack_mm, |rear| rear.slack_mm)
+    }
 }
 
 impl Vehicle {
@@ -121,8 +132,15 @@ impl Vehicle {
         check.between("length_m", self.length_m, 1.0, 200.0)?;
         check.between("axles", f64::from(self.axles), 2.0, 64.0)?;
         check.between("coupler.slack_mm", self.coupler.slack_mm, 0.0, 500.0)?;
+        check.between("coupler.rear.slack_mm", self.coupler.rear_slack_mm(), 0.0, 500.0)?;
         self.resistance.check(&check.section("resistance"))?;
         self.brake.check(&check.section("brake"))?;
+        if let Some(brake) = &self.locomotive_brake {
+            brake.check(&check.section("locomotive_brake"))?;
+        }
+        if let Some(brake) = &self.hand_brake {
+            brake.check(&check.section("hand_brake"))?;
+        }
         if let Some(traction) = &self.traction {
             traction.check(&check.section("traction"))?;
         }
@@ -133,27 +151,5 @@ impl Vehicle {
             multibody.check(&check.section("multibody"), self.mass_kg)?;
         }
         Ok(())
-    }
-}
-
-impl Resistance {
-    fn check(&self, check: &Check) -> Result<(), StockError> {
-        check.between("factor", self.factor, 0.0, 10.0)?;
-        check.between("constant_n_per_t", self.constant_n_per_t, 0.0, 1000.0)?;
-        check.between("axle_n", self.axle_n, 0.0, 1e4)?;
-        check.between("linear_n_per_t_kmh", self.linear_n_per_t_kmh, 0.0, 10.0)?;
-        check.between("quadratic_n_per_kmh2", self.quadratic_n_per_kmh2, 0.0, 100.0)?;
-        check.between("curve_n_m_per_t", self.curve_n_m_per_t, 0.0, 1e5)
-    }
-}
-
-impl Brake {
-    fn check(&self, check: &Check) -> Result<(), StockError> {
-        check.between("net_braking_ratio", self.net_braking_ratio, 0.0, 1.0)?;
-        check.between("dead_time_s", self.dead_time_s, 0.0, 60.0)?;
-        check.between("build_up_s", self.build_up_s, 0.1, 600.0)?;
-        check.between("release_s", self.release_s, 0.1, 600.0)?;
-        check.between("lag_s", self.lag_s, 0.1, 60.0)?;
-        self.shoe_friction.check(&check.section("shoe_friction"))
     }
 }

@@ -63,9 +63,26 @@ fn benchmark_vehicles_of_the_paper() {
 #[test]
 fn benchmark_official_capacity_of_the_friction_gear() {
     let gear = shipped().draft_gear("friction-gear-m901e").unwrap();
-    let energy = gear.loading.energy_to_kj(74.4);
+    let energy = gear.draft.loading.energy_to_kj(74.4);
     assert!((energy / 61.7 - 1.0).abs() < 0.02, "{energy} kJ");
-    assert_eq!(gear.loading.force_at_kn(74.4), 2518.0);
+    assert_eq!(gear.draft.loading.force_at_kn(74.4), 2518.0);
+}
+
+/// Everything that is shipped can be used.
+#[test]
+fn property_every_shipped_file_is_read() {
+    let names = |part: &str| -> Vec<String> {
+        let files = std::fs::read_dir(Path::new(ROOT).join(part)).unwrap();
+        let files = files.map(|file| file.unwrap().path());
+        files.map(|file| file.file_stem().unwrap().to_str().unwrap().to_owned()).collect()
+    };
+    for name in names("vehicles") {
+        let vehicle = shipped().vehicle(&name).unwrap();
+        shipped().draft_gear(&vehicle.coupler.draft_gear).unwrap();
+    }
+    for name in names("draft_gears") {
+        shipped().draft_gear(&name).unwrap();
+    }
 }
 
 #[test]
@@ -115,6 +132,30 @@ fn a_table_that_does_not_rise_is_refused_with_its_row() {
     let message = message("[dynamic_brake.effort]\nspeed_kmh = [0, 10, 10]\neffort_kn = [0, 1, 1]");
     let expected = "dynamic_brake.effort.speed_kmh[3] = 10: must be greater than the value before";
     assert!(message.contains(expected), "{message}");
+}
+
+#[test]
+fn efforts_given_twice_are_refused() {
+    let rows = "[[1], [2], [3], [4], [5], [6], [7], [8]]";
+    let message = message(&format!("[traction.by_notch]\nspeed_kmh = [0]\neffort_kn = {rows}"));
+    assert!(message.contains("traction.effort = both: needs either"), "{message}");
+}
+
+#[test]
+fn a_table_without_all_notches_is_refused() {
+    let text = "extends = 'locomotive-coco-134t'\nwithout = ['traction']\n[traction]\nramp_s = 1\n\
+                [traction.by_notch]\nspeed_kmh = [0]\neffort_kn = [[1], [2]]";
+    let error = Scratch::with("changed", text).vehicle("changed").unwrap_err().to_string();
+    assert!(error.contains("traction.by_notch.effort_kn = 2 rows: needs eight rows"), "{error}");
+}
+
+#[test]
+fn an_air_brake_without_its_section_is_refused() {
+    let message = message("brake.control = 'air'");
+    assert!(
+        message.contains("brake.control = \"air\": needs the section [brake.air]"),
+        "{message}"
+    );
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The track file: TOML, an alignment of elements and gradients by points.
+//! The track file: TOML, an alignment of elements, and gradients and curvatures by points.
 //!
 //! ```toml
 //! start_m = 300.0            # chainage at which the first element begins
@@ -12,19 +12,22 @@
 //! [[alignment]]
 //! length_m = 50.0
 //! transition = true
-//! [[gradient]]               # linear between points, constant outside
+//! [[gradient]]               # constant outside the points
 //! chainage_m = 0.0
 //! permille = 2.0
 //! ```
+//!
+//! Instead of the alignment, the curvature may be given by points, `[[curvature]]` with
+//! `chainage_m`, `per_km` (1000 m over the radius) and `cant_mm`. Between the points the values go
+//! linearly, or, with `gradient_interpolation = "cubic"` or `curvature_interpolation = "cubic"`, by a
+//! cubic spline. A chainage that stands twice is a step, and the end of a spline.
 
 use std::path::Path;
 
+use numerics::{Interpolation, TableError};
 use serde::Deserialize;
 
-use crate::track::{Piece, Track, TrackPoint};
-
-/// Distance between the middles of the two rail heads over which cant is measured, m.
-const CANT_BASE: f64 = 1.5;
+use crate::track::Track;
 
 /// Why a track file cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -57,39 +60,79 @@ pub enum TrackError {
         /// What would be right.
         wanted: &'static str,
     },
+    /// Points cannot be used as a function of the chainage.
+    #[error("track file {file}: {key}: {source}")]
+    Points {
+        /// File name.
+        file: String,
+        /// Key.
+        key: &'static str,
+        /// Reason.
+        source: TableError,
+    },
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct TrackFile {
+pub(crate) struct TrackFile {
     #[serde(default)]
-    start_m: f64,
+    pub start_m: f64,
     #[serde(default)]
-    alignment: Vec<Element>,
+    pub alignment: Vec<Element>,
     #[serde(default)]
-    gradient: Vec<GradientPoint>,
+    pub curvature: Vec<CurvaturePoint>,
+    #[serde(default)]
+    pub curvature_interpolation: Between,
+    #[serde(default)]
+    pub gradient: Vec<GradientPoint>,
+    #[serde(default)]
+    pub gradient_interpolation: Between,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Element {
-    length_m: f64,
+pub(crate) struct Element {
+    pub length_m: f64,
     #[serde(default)]
-    transition: bool,
-    radius_m: Option<f64>,
+    pub transition: bool,
+    pub radius_m: Option<f64>,
     #[serde(default)]
-    cant_mm: f64,
+    pub cant_mm: f64,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct GradientPoint {
-    chainage_m: f64,
-    permille: f64,
+pub(crate) struct CurvaturePoint {
+    pub chainage_m: f64,
+    pub per_km: f64,
+    #[serde(default)]
+    pub cant_mm: f64,
 }
 
-/// A value at a chainage, linear up to the next one.
-type Polyline = Vec<(f64, f64)>;
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct GradientPoint {
+    pub chainage_m: f64,
+    pub permille: f64,
+}
+
+/// What lies between two points.
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Between {
+    #[default]
+    Linear,
+    Cubic,
+}
+
+impl From<Between> for Interpolation {
+    fn from(between: Between) -> Self {
+        match between {
+            Between::Linear => Self::Linear,
+            Between::Cubic => Self::Cubic,
+        }
+    }
+}
 
 impl Track {
     /// Reads a track file.
@@ -113,133 +156,15 @@ impl Track {
             source: Box::new(source),
         })?;
         content.check(name)?;
-        Ok(content.compile())
-    }
-}
-
-impl TrackFile {
-    fn check(&self, file: &str) -> Result<(), TrackError> {
-        let fail = |key: String, value: f64, wanted: &'static str| {
-            Err(TrackError::Value { file: file.to_owned(), key, value, wanted })
-        };
-        if !self.start_m.is_finite() {
-            return fail("start_m".into(), self.start_m, "must be a finite chainage in metres");
-        }
-        for (i, element) in self.alignment.iter().enumerate() {
-            let key = |name: &str| format!("alignment[{}].{name}", i + 1);
-            if !(element.length_m.is_finite() && element.length_m > 0.0) {
-                return fail(key("length_m"), element.length_m, "must be greater than zero");
-            }
-            if let Some(radius) = element.radius_m
-                && !(radius.is_finite() && radius.abs() >= 50.0)
-            {
-                let wanted = "must be at least 50 m (negative: left-hand curve); \
-                              leave it out for straight track";
-                return fail(key("radius_m"), radius, wanted);
-            }
-            if !(-300.0..=300.0).contains(&element.cant_mm) {
-                return fail(key("cant_mm"), element.cant_mm, "must lie between -300 and 300 mm");
-            }
-            if element.transition && (element.radius_m.is_some() || element.cant_mm != 0.0) {
-                let wanted = "a transition takes curvature and cant from its neighbours; \
-                              leave radius_m and cant_mm out";
-                return fail(key("radius_m"), element.radius_m.unwrap_or_default(), wanted);
-            }
-        }
-        for (i, point) in self.gradient.iter().enumerate() {
-            let key = |name: &str| format!("gradient[{}].{name}", i + 1);
-            if !(-100.0..=100.0).contains(&point.permille) {
-                return fail(key("permille"), point.permille, "must lie between -100 and 100");
-            }
-            if !point.chainage_m.is_finite()
-                || (i > 0 && point.chainage_m <= self.gradient[i - 1].chainage_m)
-            {
-                let wanted = "must be greater than the chainage of the point before";
-                return fail(key("chainage_m"), point.chainage_m, wanted);
-            }
-        }
-        Ok(())
-    }
-
-    fn compile(&self) -> Track {
-        let curvature =
-            self.polyline(|element| element.radius_m.map_or(0.0, |radius| 1.0 / radius));
-        let cant = self.polyline(|element| (element.cant_mm * 1e-3 / CANT_BASE).asin());
-        let gradient: Polyline = match self.gradient.len() {
-            0 => vec![(self.start_m, 0.0)],
-            _ => self.gradient.iter().map(|p| (p.chainage_m, p.permille * 1e-3)).collect(),
-        };
-        let mut begins: Vec<f64> = [&curvature, &cant, &gradient]
-            .iter()
-            .flat_map(|line| line.iter().map(|p| p.0))
-            .collect();
-        begins.sort_by(f64::total_cmp);
-        begins.dedup();
-
-        let mut pieces: Vec<Piece> = Vec::with_capacity(begins.len());
-        for (i, &begin) in begins.iter().enumerate() {
-            let (curvature, curvature_slope) = value_and_slope(&curvature, begin);
-            let (cant_angle, cant_angle_slope) = value_and_slope(&cant, begin);
-            let (gradient, gradient_slope) = value_and_slope(&gradient, begin);
-            let before = match i {
-                0 => TrackPoint::default(),
-                _ => pieces[i - 1].at(begin - begins[i - 1]),
-            };
-            let at = TrackPoint {
-                curvature,
-                curvature_slope,
-                cant_angle,
-                cant_angle_slope,
-                gradient,
-                gradient_slope,
-                ..before
-            };
-            pieces.push(Piece { at });
-        }
-        Track { begins, pieces }
-    }
-
-    /// The ends of the elements with the value there: constant in an element, linear in a
-    /// transition, a step where two constant elements meet (two points at one chainage).
-    fn polyline(&self, value: impl Fn(&Element) -> f64) -> Polyline {
-        let constant = |i: Option<usize>| {
-            let element = i.and_then(|i| self.alignment.get(i)).filter(|e| !e.transition);
-            element.map_or(0.0, &value)
-        };
-        let mut line = vec![];
-        let mut chainage = self.start_m;
-        for (i, element) in self.alignment.iter().enumerate() {
-            let (from, to) = match element.transition {
-                true => (constant(i.checked_sub(1)), constant(Some(i + 1))),
-                false => (constant(Some(i)), constant(Some(i))),
-            };
-            line.push((chainage, from));
-            chainage += element.length_m;
-            line.push((chainage, to));
-        }
-        if line.is_empty() {
-            line.push((self.start_m, 0.0));
-        }
-        line
-    }
-}
-
-/// Value and slope of a polyline just after `chainage`; constant outside its points.
-fn value_and_slope(line: &Polyline, chainage: f64) -> (f64, f64) {
-    let after = line.partition_point(|point| point.0 <= chainage);
-    match (after.checked_sub(1).map(|i| line[i]), line.get(after)) {
-        (Some((x0, y0)), Some(&(x1, y1))) => {
-            let slope = (y1 - y0) / (x1 - x0);
-            (y0 + slope * (chainage - x0), slope)
-        }
-        (Some((_, y)), None) | (None, Some(&(_, y))) => (y, 0.0),
-        (None, None) => (0.0, 0.0),
+        content.compile(name)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    use crate::track::TrackPoint;
 
     const CURVE: &str = "
         start_m = 300.0
@@ -285,6 +210,76 @@ mod tests {
         assert!((at(&track, 100.0).elevation - 0.5).abs() < 1e-12);
         assert!((at(&track, 1100.0).elevation - 10.5).abs() < 1e-12);
         assert_eq!(at(&track, -100.0).elevation, 0.0);
+    }
+
+    /// A spline through (0, 0), (100, 10), (300, 0) permille, and a step to 5 permille.
+    #[test]
+    fn analytic_gradient_by_a_spline_and_a_step() {
+        let text = "gradient_interpolation = 'cubic'
+            gradient = [
+                { chainage_m = 0, permille = 0 }, { chainage_m = 100, permille = 10 },
+                { chainage_m = 300, permille = 0 }, { chainage_m = 300, permille = 5 },
+            ]";
+        let track = Track::from_toml(text, "spline").unwrap();
+        // By hand: the slopes at the ends are 0.1 and -0.05, so the slope m at 100 m follows from
+        // 0.1/100 + 2 m (1/100 + 1/200) - 0.05/200 = 3 (0.1/100 - 0.05/200): m = 0.05 permille/m.
+        let slope = at(&track, 100.0).gradient_slope;
+        assert!((slope - 0.05e-3).abs() < 1e-15, "{slope}");
+        assert!((at(&track, 100.0).gradient - 10e-3).abs() < 1e-15);
+        assert_eq!(at(&track, 300.0).gradient, 5e-3);
+        // The elevation is the integral of the gradient: Simpson's rule is exact for a cubic.
+        let mean = |a: f64, b: f64| {
+            let at = |x: f64| at(&track, x).gradient;
+            (at(a) + 4.0 * at((a + b) / 2.0) + at(b)) / 6.0
+        };
+        let expected = mean(100.0, 250.0) * 150.0;
+        let rise = at(&track, 250.0).elevation - at(&track, 100.0).elevation;
+        assert!((rise - expected).abs() < 1e-13);
+    }
+
+    /// The mean elevation over a length is what a vehicle's potential energy needs.
+    #[test]
+    fn analytic_elevation_integral_of_a_constant_slope() {
+        let track = Track::from_toml(CURVE, "curve").unwrap();
+        let (from, to) = (at(&track, 200.0), at(&track, 300.0));
+        let mean = (to.elevation_integral - from.elevation_integral) / 100.0;
+        assert!((mean - at(&track, 250.0).elevation).abs() < 1e-12);
+    }
+
+    #[test]
+    fn analytic_curvature_by_points() {
+        let text = "curvature = [
+            { chainage_m = -50, per_km = 0 }, { chainage_m = 0, per_km = 2, cant_mm = 75 },
+            { chainage_m = 100, per_km = 2, cant_mm = 75 }, { chainage_m = 150, per_km = 0 }]";
+        let track = Track::from_toml(text, "points").unwrap();
+        assert!((at(&track, -25.0).curvature - 1e-3).abs() < 1e-15);
+        assert_eq!(at(&track, 50.0).curvature, 2e-3);
+        assert!((at(&track, 50.0).cant_angle - 0.05_f64.asin()).abs() < 1e-15);
+        assert!((at(&track, 200.0).heading - 0.3).abs() < 1e-14);
+        assert_eq!(track.curves(), [[-50.0, 150.0]]);
+    }
+
+    #[test]
+    fn curvature_twice_is_refused() {
+        let text = "alignment = [{ length_m = 1 }]\ncurvature = [{ chainage_m = 0, per_km = 1 }]";
+        let message = Track::from_toml(text, "t.toml").err().unwrap().to_string();
+        assert!(message.contains("curvature[1].per_km = 1: leave either"), "{message}");
+    }
+
+    #[test]
+    fn a_step_at_the_first_point_is_refused() {
+        let text =
+            "gradient = [{ chainage_m = 0, permille = 1 }, { chainage_m = 0, permille = 2 }]";
+        let message = Track::from_toml(text, "t.toml").err().unwrap().to_string();
+        assert!(message.contains("gradient[2].chainage_m = 0: a step needs"), "{message}");
+    }
+
+    #[test]
+    fn a_chainage_that_goes_back_is_refused() {
+        let text =
+            "gradient = [{ chainage_m = 9, permille = 1 }, { chainage_m = 8, permille = 1 }]";
+        let message = Track::from_toml(text, "t.toml").err().unwrap().to_string();
+        assert!(message.contains("gradient: row 2: "), "{message}");
     }
 
     #[test]

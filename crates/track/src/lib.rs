@@ -2,12 +2,15 @@
 //!
 //! | file | part |
 //! |---|---|
-//! | `file.rs` | the track file that people write |
+//! | `file.rs`, `check.rs` | the track file that people write, and what its values must be |
+//! | `compile.rs` | from the file to the compiled track |
 //! | `track.rs` | the compiled track: what holds at a chainage |
 //!
 //! Positive curvature is a right-hand curve; positive cant lowers the right rail (the inner rail
 //! of a right-hand curve); a positive gradient rises in the running direction.
 
+mod check;
+mod compile;
 mod file;
 mod track;
 

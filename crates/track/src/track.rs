@@ -23,13 +23,22 @@ pub struct TrackPoint {
     pub gradient_slope: f64,
     /// Height above the start of the track, m.
     pub elevation: f64,
+    /// ∫ elevation ds from the start of the track, m².
+    pub elevation_integral: f64,
 }
 
-/// A piece of track in which curvature, cant and gradient are linear in the chainage;
-/// all values hold at its beginning.
-#[derive(Clone, Copy, Debug)]
+/// A piece of track in which curvature, cant and gradient are cubic in the chainage.
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Piece {
-    pub at: TrackPoint,
+    /// Integrals at the beginning of the piece, as in [`TrackPoint`].
+    pub heading: f64,
+    pub heading_integral: f64,
+    pub elevation: f64,
+    pub elevation_integral: f64,
+    /// Coefficients of the powers of the distance from the beginning of the piece.
+    pub curvature: [f64; 4],
+    pub cant_angle: [f64; 4],
+    pub gradient: [f64; 4],
 }
 
 /// Curvature, cant and gradient as functions of the chainage, in closed form piece by piece.
@@ -45,12 +54,12 @@ pub struct Track {
 impl Track {
     /// Straight and level without end.
     pub fn straight() -> Self {
-        let piece = Piece { at: TrackPoint::default() };
-        Self { begins: vec![0.0], pieces: vec![piece] }
+        Self { begins: vec![0.0], pieces: vec![Piece::default()] }
     }
 
     /// What holds at `chainage`; `index` is any number at first and the place of the last lookup
     /// later, so that a lookup near the last one costs little.
+    #[inline]
     pub fn at(&self, chainage: f64, index: &mut usize) -> TrackPoint {
         if chainage < self.begins[0] {
             return self.before_the_first(chainage);
@@ -64,19 +73,21 @@ impl Track {
 
     /// Extends the values at the beginning of the track backwards.
     fn before_the_first(&self, chainage: f64) -> TrackPoint {
-        let at = TrackPoint {
-            curvature_slope: 0.0,
-            cant_angle_slope: 0.0,
-            gradient_slope: 0.0,
-            ..self.pieces[0].at
+        let first = &self.pieces[0];
+        let constant = |coefficients: [f64; 4]| [coefficients[0], 0.0, 0.0, 0.0];
+        let piece = Piece {
+            curvature: constant(first.curvature),
+            cant_angle: constant(first.cant_angle),
+            gradient: constant(first.gradient),
+            ..*first
         };
-        Piece { at }.at(chainage - self.begins[0])
+        piece.at(chainage - self.begins[0])
     }
 
     /// Chainages at which curves begin and end, transitions included, m. A curve that goes on
     /// without end is left out.
     pub fn curves(&self) -> Vec<[f64; 2]> {
-        let curved = |piece: &Piece| piece.at.curvature != 0.0 || piece.at.curvature_slope != 0.0;
+        let curved = |piece: &Piece| piece.curvature.iter().any(|c| *c != 0.0);
         let mut curves: Vec<[f64; 2]> = vec![];
         for (ends, piece) in self.begins.windows(2).zip(&self.pieces) {
             match curves.last_mut() {
@@ -90,19 +101,46 @@ impl Track {
 }
 
 impl Piece {
-    /// What holds `distance` after the beginning of the piece: the integrals of linear functions.
-    pub(crate) fn at(&self, distance: f64) -> TrackPoint {
-        let Piece { at } = *self;
-        let s = distance;
+    /// What holds `s` after the beginning of the piece: the integrals of cubic functions.
+    #[inline]
+    pub(crate) fn at(&self, s: f64) -> TrackPoint {
+        let (k, g) = (&self.curvature, &self.gradient);
         TrackPoint {
-            curvature: at.curvature + at.curvature_slope * s,
-            heading: at.heading + s * (at.curvature + at.curvature_slope * s / 2.0),
-            heading_integral: at.heading_integral
-                + s * (at.heading + s * (at.curvature / 2.0 + at.curvature_slope * s / 6.0)),
-            cant_angle: at.cant_angle + at.cant_angle_slope * s,
-            gradient: at.gradient + at.gradient_slope * s,
-            elevation: at.elevation + s * (at.gradient + at.gradient_slope * s / 2.0),
-            ..at
+            curvature: value(k, s),
+            curvature_slope: slope(k, s),
+            heading: self.heading + integral(k, s),
+            heading_integral: self.heading_integral + s * self.heading + double_integral(k, s),
+            cant_angle: value(&self.cant_angle, s),
+            cant_angle_slope: slope(&self.cant_angle, s),
+            gradient: value(g, s),
+            gradient_slope: slope(g, s),
+            elevation: self.elevation + integral(g, s),
+            elevation_integral: self.elevation_integral
+                + s * self.elevation
+                + double_integral(g, s),
         }
     }
+}
+
+/// Value of a cubic with the coefficients `c`.
+#[inline]
+fn value(c: &[f64; 4], s: f64) -> f64 {
+    c[0] + s * (c[1] + s * (c[2] + s * c[3]))
+}
+
+#[inline]
+fn slope(c: &[f64; 4], s: f64) -> f64 {
+    c[1] + s * (2.0 * c[2] + s * 3.0 * c[3])
+}
+
+/// Its integral from 0 to `s`.
+#[inline]
+fn integral(c: &[f64; 4], s: f64) -> f64 {
+    s * (c[0] + s * (c[1] / 2.0 + s * (c[2] / 3.0 + s * c[3] / 4.0)))
+}
+
+/// The integral of that integral.
+#[inline]
+fn double_integral(c: &[f64; 4], s: f64) -> f64 {
+    s * s * (c[0] / 2.0 + s * (c[1] / 6.0 + s * (c[2] / 12.0 + s * c[3] / 20.0)))
 }

@@ -1,108 +1,170 @@
-//! Electronically controlled pneumatic (ECP) friction brake of a vehicle.
+//! Friction brakes of a vehicle: train brake by cable or pipe, locomotive brake, hand brake.
 //!
-//! All vehicles get the command at once, by cable. After a dead time the cylinder fraction c
-//! follows the command u, within the rates of filling and emptying (theory, eq. 15), and the shoes
-//! press with the net braking ratio β of the weight (eq. 16):
+//! All press the same shoes, so that the strongest counts (theory, eq. 16):
 //!
 //! ```text
-//! dc/dt = clamp((u − c)/τ, −1/t_release, 1/t_build)      c = 1 full service, 1.2 emergency
-//! F = c β m g μ(v)
+//! F = max(c β, c_L β_L, h β_H) m g μ(v)      c = 1 full service, 1.2 emergency
 //! ```
 //!
-//! The command 1.2 is the emergency level of AAR S-4200. Graduated release, as ECP has it. Retained
-//! air and leakage are not modelled.
+//! with the cylinder fraction c of the train brake (`ecp_brake.rs`, `air_brake.rs`), that of the
+//! locomotive brake c_L, the share h of the hand brake that the consist file applies, the net
+//! braking ratios β and the friction μ of the shoes. The share of the power F v that goes into a
+//! wheel is an output for the heat of wheels and rails.
 
 use numerics::{LinearTable, TableError};
 use serde::{Deserialize, Serialize};
+use stock::BrakeControl;
 
+use crate::air_brake::AirBrake;
+use crate::ecp_brake::{EcpBrake, EcpState};
 use crate::gravity::STANDARD_GRAVITY;
 
-/// Greatest command: emergency.
+/// Greatest command: emergency, the level of AAR S-4200.
 pub const EMERGENCY: f64 = 1.2;
-
-/// Difference from the command at which the pressure counts as reached.
-const REACHED: f64 = 1e-6;
 
 /// Kilometres per hour in a metre per second.
 const KMH: f64 = 3.6;
 
-/// Friction brake of one vehicle.
+/// Friction brakes of one vehicle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Brake {
+    control: Control,
     /// Force of all shoes on the wheels at full service, N.
     shoe_force: f64,
     /// Friction coefficient of the shoes over m/s.
     friction: LinearTable,
-    dead_time: f64,
-    lag: f64,
-    build_up_rate: f64,
-    release_rate: f64,
+    locomotive: Option<LocomotiveBrake>,
+    /// Force of the shoes by the hand brake when fully applied, N; none: there is no hand brake.
+    hand_brake: Option<f64>,
+    /// Force of the shoes by the hand brake, N.
+    hand_force: f64,
+    /// Share of the friction power that goes into one wheel.
+    wheel_share: f64,
     /// Interval of the last lookup in `friction`.
     index: usize,
 }
 
-/// What changes in a brake.
+#[derive(Clone, Debug, PartialEq)]
+enum Control {
+    Ecp(EcpBrake),
+    Air(Box<AirBrake>),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct LocomotiveBrake {
+    shoe_force: f64,
+    build_up_rate: f64,
+    release_rate: f64,
+}
+
+/// What changes in the brakes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BrakeState {
-    /// Command that the valve follows.
-    followed: f64,
-    /// Time since the command has become another one, s.
-    waited: f64,
     /// Cylinder pressure as a fraction of that at full service.
-    cylinder: f64,
+    pub cylinder: f64,
+    /// Cylinder pressure of the locomotive brake as a fraction of its greatest.
+    pub locomotive_cylinder: f64,
+    /// State of the cable's valve.
+    pub ecp: EcpState,
+    /// Command that has come along the pipe.
+    pub heard: f64,
+    /// Number of changes of the pipe's command that have come.
+    pub heard_count: u64,
+    /// Whether the cylinder empties, as it does without graduated release until it is empty.
+    pub releasing: bool,
 }
 
 impl BrakeState {
-    /// A brake that has followed `command` for long.
-    pub fn settled(command: f64) -> Self {
-        Self { followed: command, waited: 0.0, cylinder: command }
+    /// Brakes that have followed the commands for long.
+    pub fn settled(train_brake: f64, locomotive_brake: f64) -> Self {
+        Self {
+            cylinder: train_brake,
+            locomotive_cylinder: locomotive_brake,
+            ecp: EcpState::settled(train_brake),
+            heard: train_brake,
+            ..Self::default()
+        }
     }
 }
 
 impl Brake {
-    /// The brake of a vehicle.
+    /// The brakes of a vehicle.
     ///
     /// # Errors
-    /// When its table cannot be used.
+    /// When a table cannot be used.
     pub fn new(vehicle: &stock::Vehicle) -> Result<Self, TableError> {
-        let file = &vehicle.brake;
+        let (file, weight) = (&vehicle.brake, vehicle.mass_kg * STANDARD_GRAVITY);
         let speeds = file.shoe_friction.speed_kmh.iter().map(|v| v / KMH).collect();
+        let control = match (file.control, &file.air) {
+            (BrakeControl::Air, Some(air)) => Control::Air(Box::new(AirBrake::new(air))),
+            _ => Control::Ecp(EcpBrake::new(file)),
+        };
         Ok(Self {
-            shoe_force: file.net_braking_ratio * vehicle.mass_kg * STANDARD_GRAVITY,
+            control,
+            shoe_force: file.net_braking_ratio * weight,
             friction: LinearTable::new(speeds, file.shoe_friction.value.clone())?,
-            dead_time: file.dead_time_s,
-            lag: file.lag_s,
-            build_up_rate: 1.0 / file.build_up_s,
-            release_rate: 1.0 / file.release_s,
+            locomotive: vehicle.locomotive_brake.as_ref().map(|brake| LocomotiveBrake {
+                shoe_force: brake.net_braking_ratio * weight,
+                build_up_rate: 1.0 / brake.build_up_s,
+                release_rate: 1.0 / brake.release_s,
+            }),
+            hand_brake: vehicle.hand_brake.as_ref().map(|brake| brake.net_braking_ratio * weight),
+            hand_force: 0.0,
+            wheel_share: file.wheel_heat_share / (2.0 * f64::from(vehicle.axles)),
             index: 0,
         })
     }
 
-    /// Takes the brake over a time `step`, s.
-    pub fn advance(&self, state: &mut BrakeState, command: f64, step: f64) {
-        if command == state.followed {
-            state.waited = 0.0;
-        } else {
-            state.waited += step;
-            if state.waited >= self.dead_time {
-                state.followed = command;
-                state.waited = 0.0;
-            }
+    /// Applies a share of the hand brake's force; false when there is no hand brake to apply.
+    pub(crate) fn apply_hand_brake(&mut self, share: f64) -> bool {
+        self.hand_force = share * self.hand_brake.unwrap_or_default();
+        share == 0.0 || self.hand_brake.is_some()
+    }
+
+    /// The air brake, if the pipe commands this vehicle.
+    pub(crate) fn air(&self) -> Option<&AirBrake> {
+        match &self.control {
+            Control::Air(air) => Some(air),
+            Control::Ecp(_) => None,
         }
-        let missing = state.followed - state.cylinder;
-        if missing.abs() < REACHED {
-            state.cylinder = state.followed;
-            return;
+    }
+
+    /// Takes the brakes over a time `step`, s, with the commands of the cable and of the
+    /// locomotive brake; an air brake follows what it has heard.
+    #[inline]
+    pub fn advance(&self, state: &mut BrakeState, train: f64, locomotive: f64, step: f64) {
+        match &self.control {
+            Control::Ecp(ecp) => ecp.advance(&mut state.ecp, &mut state.cylinder, train, step),
+            Control::Air(air) => air.advance(state, step),
         }
-        let rate = (missing / self.lag).max(-self.release_rate).min(self.build_up_rate);
-        state.cylinder += rate * step;
+        if let Some(brake) = &self.locomotive {
+            let missing = locomotive - state.locomotive_cylinder;
+            let change = missing.max(-brake.release_rate * step).min(brake.build_up_rate * step);
+            state.locomotive_cylinder += change;
+        }
     }
 
     /// Greatest force against the motion at a speed, m/s, in N.
+    #[inline]
     pub fn force(&mut self, state: &BrakeState, speed: f64) -> f64 {
-        match state.cylinder {
+        let train = state.cylinder * self.shoe_force;
+        let locomotive = match &self.locomotive {
+            Some(brake) => state.locomotive_cylinder * brake.shoe_force,
+            None => 0.0,
+        };
+        match train.max(locomotive).max(self.hand_force) {
             0.0 => 0.0,
-            cylinder => cylinder * self.shoe_force * self.friction.value(speed, &mut self.index),
+            shoes => shoes * self.friction.value(speed, &mut self.index),
         }
+    }
+
+    /// Force of the train brake at full service and a speed, m/s, in N.
+    pub fn full_service(&self, speed: f64) -> f64 {
+        self.shoe_force * self.friction.value(speed, &mut 0)
+    }
+
+    /// Share of the friction power that goes into one wheel.
+    pub fn wheel_share(&self) -> f64 {
+        self.wheel_share
     }
 }

@@ -1,10 +1,13 @@
 //! A draft gear as two curves of force over deflection, and two gears in series.
 //!
 //! Pushed in, a friction gear follows its loading curve; coming out, its unloading curve; between
-//! them friction locks it and only the steep locked stiffness is left. Forces and deflections are
-//! counted positive in draft; buff mirrors both.
+//! them friction locks it and only the steep locked stiffness is left. A preload is a first piece
+//! with the stiffness of the structure. Forces and deflections are not negative here: a [`Side`] is
+//! what the gear does in one direction, draft or buff.
 //!
 //! Source of the form: look-up table with locked stiffness, `docs/theory/longitudinal.md` 3.
+
+use numerics::{LinearTable, TableError};
 
 /// A force that rises with the deflection by straight pieces, from zero at zero.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,9 +19,19 @@ pub struct Curve {
 }
 
 impl Curve {
-    fn new(curve: &stock::ForceCurve, end_stiffness: f64) -> Self {
+    /// The curve of a file, behind the deflection `preloaded`, m, over which its preload comes up.
+    fn new(curve: &stock::ForceCurve, preloaded: f64, end_stiffness: f64) -> Self {
         let columns = curve.deflection_mm.iter().zip(&curve.force_kn);
-        Self { points: columns.map(|(x, f)| (x * 1e-3, f * 1e3)).collect(), end_stiffness }
+        let points = columns.map(|(x, f)| (preloaded + x * 1e-3, f * 1e3));
+        let unstressed = (preloaded > 0.0).then_some((0.0, 0.0));
+        Self { points: unstressed.into_iter().chain(points).collect(), end_stiffness }
+    }
+
+    /// Energy under the curve up to a force, J.
+    fn energy_to(&self, force: f64) -> f64 {
+        let inner = self.points.iter().copied().filter(|point| point.1 < force);
+        let points: Vec<_> = inner.chain([(self.deflection(force), force)]).collect();
+        points.windows(2).map(|p| (p[0].1 + p[1].1) / 2.0 * (p[1].0 - p[0].0)).sum()
     }
 
     /// Deflection at a force that is not negative, m.
@@ -71,9 +84,9 @@ fn in_series(a: f64, b: f64) -> f64 {
     }
 }
 
-/// A draft gear, or several in series.
+/// What a gear, or several in series, do in one direction.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DraftGear {
+pub struct Side {
     /// Force while the gear is pushed in.
     pub loading: Curve,
     /// Force while it comes out; nowhere above the loading curve.
@@ -82,19 +95,48 @@ pub struct DraftGear {
     pub locked_stiffness: f64,
     /// Viscous damping in parallel, N s/m.
     pub damping: f64,
+    /// Speed over which one curve blends into the other, m/s; zero: the force is clamped.
+    pub transition_speed: f64,
+    /// Force of a hydraulic cushion over the square of the speed, N s²/m² over m.
+    pub orifice: Option<LinearTable>,
+}
+
+/// A draft gear.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DraftGear {
+    /// What it does in draft.
+    pub draft: Side,
+    /// What it does in buff.
+    pub buff: Side,
 }
 
 impl DraftGear {
     /// The gear of a draft-gear file.
-    pub fn new(gear: &stock::DraftGear) -> Self {
-        let (loading, unloading) = gear.curves();
-        let structure = gear.structure_stiffness_mn_m * 1e6;
-        Self {
-            loading: Curve::new(loading, structure),
-            unloading: Curve::new(unloading, structure),
-            locked_stiffness: gear.locked_stiffness_mn_m * 1e6,
-            damping: gear.damping_kn_s_m * 1e3,
-        }
+    ///
+    /// # Errors
+    /// When a table of it cannot be used.
+    pub fn new(gear: &stock::DraftGear) -> Result<Self, TableError> {
+        Ok(Self { draft: Side::new(&gear.draft)?, buff: Side::new(&gear.buff)? })
+    }
+}
+
+impl Side {
+    fn new(file: &stock::Characteristic) -> Result<Self, TableError> {
+        let structure = file.structure_stiffness_mn_m * 1e6;
+        let preloaded = file.loading.force_kn[0] * 1e3 / structure;
+        let orifice = file.orifice.as_ref().map(|orifice| {
+            let deflections = orifice.deflection_mm.iter().map(|x| x * 1e-3).collect();
+            let values = orifice.resistance_kn_s2_m2.iter().map(|c| c * 1e3).collect();
+            LinearTable::new(deflections, values)
+        });
+        Ok(Self {
+            loading: Curve::new(&file.loading, preloaded, structure),
+            unloading: Curve::new(&file.unloading, preloaded, structure),
+            locked_stiffness: file.locked_stiffness_mn_m * 1e6,
+            damping: file.damping_kn_s_m * 1e3,
+            transition_speed: file.transition_speed_mm_s.unwrap_or_default() * 1e-3,
+            orifice: orifice.transpose()?,
+        })
     }
 
     /// Two gears in series, as between two vehicles.
@@ -105,6 +147,56 @@ impl DraftGear {
             unloading: self.unloading.in_series(&other.unloading),
             locked_stiffness: in_series(self.locked_stiffness, other.locked_stiffness),
             damping: in_series(self.damping, other.damping),
+            transition_speed: self.transition_speed + other.transition_speed,
+            orifice: self.orifices_in_series(other),
+        }
+    }
+
+    /// Greatest deflection of the curves, m.
+    fn travel(&self) -> f64 {
+        self.loading.points.last().map_or(0.0, |point| point.0)
+    }
+
+    /// Two cushions in series share the speed so that their forces are equal:
+    /// 1/√C = 1/√C_a + 1/√C_b. Beside a gear without one, a cushion gets the share of the speed that
+    /// its travel has in the travel of both.
+    fn orifices_in_series(&self, other: &Self) -> Option<LinearTable> {
+        let whole = self.travel() + other.travel();
+        let (own, others) = (self.travel() / whole, other.travel() / whole);
+        let of = |side: &Self, share: f64, x: f64| {
+            side.orifice.as_ref().map(|orifice| orifice.value(share * x, &mut 0))
+        };
+        let at = |x: f64| match (of(self, own, x), of(other, others, x)) {
+            (Some(a), Some(b)) => (a * b) / (a.sqrt() + b.sqrt()).powi(2),
+            (Some(a), None) => a * own * own,
+            (None, b) => b.unwrap_or_default() * others * others,
+        };
+        let places = |side: &Self, share: f64| -> Vec<f64> {
+            let deflections = side.orifice.as_ref().map_or(&[][..], |orifice| orifice.x());
+            deflections.iter().map(|x| x / share).collect()
+        };
+        let mut deflections = [places(self, own), places(other, others)].concat();
+        deflections.sort_by(f64::total_cmp);
+        deflections.dedup();
+        let values = deflections.iter().map(|&x| at(x)).collect();
+        LinearTable::new(deflections, values).ok()
+    }
+
+    /// Energy that the gear keeps when it is pushed in to a force and let go, J, without the lock.
+    fn loss_to(&self, force: f64) -> f64 {
+        let back = self.unloading.force(self.loading.deflection(force));
+        self.loading.energy_to(force) - self.unloading.energy_to(back)
+    }
+
+    /// Share of this gear in the heat of two in series: that of their losses at the smaller of
+    /// their forces at full travel.
+    pub fn loss_share(&self, other: &Self) -> f64 {
+        let full = |side: &Self| side.unloading.points.last().map_or(0.0, |point| point.1);
+        let force = full(self).min(full(other));
+        let (own, others) = (self.loss_to(force), other.loss_to(force));
+        match own + others > 0.0 {
+            true => own / (own + others),
+            false => 0.5,
         }
     }
 }

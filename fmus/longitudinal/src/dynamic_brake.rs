@@ -4,19 +4,18 @@
 //! F = −d D(v)      (theory, eq. 14)
 //! ```
 //!
-//! with the share d that the lever has reached and the full effort D by speed, which is zero at
-//! standstill, so that the brake stops nothing by itself.
+//! with the share d that the lever has reached and the full effort D by speed. D fades to zero towards
+//! standstill, over a few km/h with direct-current motors, so that the brake stops nothing by itself.
 
-use numerics::{LinearTable, TableError};
+use numerics::{Piecewise, TableError};
 
-/// Kilometres per hour in a metre per second.
-const KMH: f64 = 3.6;
+use crate::traction::effort_by_speed;
 
 /// Dynamic brake of one locomotive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DynamicBrake {
     /// Full effort by speed, N over m/s.
-    effort: LinearTable,
+    effort: Piecewise,
     /// Time from nothing to full effort, s.
     pub ramp: f64,
 }
@@ -27,9 +26,7 @@ impl DynamicBrake {
     /// # Errors
     /// When its table cannot be used.
     pub fn new(file: &stock::DynamicBrake) -> Result<Self, TableError> {
-        let speeds = file.effort.speed_kmh.iter().map(|v| v / KMH).collect();
-        let efforts = file.effort.effort_kn.iter().map(|f| f * 1e3).collect();
-        Ok(Self { effort: LinearTable::new(speeds, efforts)?, ramp: file.ramp_s })
+        Ok(Self { effort: effort_by_speed(&file.effort)?, ramp: file.ramp_s })
     }
 
     /// Force at a share of the full effort and a velocity, m/s, against the motion, in N.

@@ -26,7 +26,7 @@ pub struct Work {
     pub dynamic_brake: f64,
     /// Friction brakes.
     pub brake: f64,
-    /// Propulsion resistance.
+    /// Propulsion resistance with the wind.
     pub resistance: f64,
     /// Curve resistance.
     pub curve_resistance: f64,
@@ -42,7 +42,7 @@ impl Work {
         self.traction += drive.max(0.0);
         self.dynamic_brake -= drive.min(0.0);
         self.brake += forces.brake * speed;
-        self.resistance += forces.resistance * speed;
+        self.resistance += forces.resistance * speed - forces.wind * vehicle.velocity;
         self.curve_resistance += forces.curve_resistance * speed;
     }
 
@@ -75,13 +75,28 @@ pub struct Energy {
 impl TrainDynamics {
     /// The energy that the train has.
     pub fn energy(&self, state: &TrainState) -> Energy {
+        self.energy_and_heat(state, |_, _, _| {})
+    }
+
+    /// The energy that the train has; calls `see` with each `k` and the energy that the gears
+    /// between the vehicles `k` and `k + 1` have turned into heat since the start, J: that of the
+    /// gear of the vehicle in front, and of the one behind it.
+    pub fn energy_and_heat(
+        &self,
+        state: &TrainState,
+        mut see: impl FnMut(usize, f64, f64),
+    ) -> Energy {
         let mut energy = Energy::default();
         for (vehicle, state) in self.vehicles.iter().zip(&state.vehicles) {
             energy.kinetic += vehicle.inertia * state.velocity * state.velocity / 2.0;
             energy.potential += vehicle.mass * STANDARD_GRAVITY * state.elevation;
         }
-        for (connection, state) in self.connections.iter().zip(&state.connections) {
-            energy.stored += connection.stored_energy(state);
+        for (k, (connection, own)) in self.connections.iter().zip(&state.connections).enumerate() {
+            let stored = connection.stored_energy(own);
+            let heat = own.taken - stored;
+            let front = connection.front_loss_share() * heat;
+            see(k, front, heat - front);
+            energy.stored += stored;
         }
         energy
     }

@@ -5,39 +5,49 @@
 //! at the new place. Forces that depend on the velocity are taken at the velocity of the way.
 //!
 //! With locked gears of 200 MN/m between masses of 134 t the highest angular frequency is 77 rad/s;
-//! the scheme is stable up to a step of 2/77 s = 26 ms.
+//! the scheme is stable up to a step of 2/77 s = 26 ms. `stability.rs` tells the limit of a train.
 
 use crate::driver::Command;
 use crate::energy::Work;
+use crate::pipe;
 use crate::train::{TrainDynamics, TrainState};
 
 /// Longest inner step, s.
-const LONGEST_STEP: f64 = 1e-3;
+pub const LONGEST_STEP: f64 = 1e-3;
 
 /// Share of an inner step by which a step may exceed a whole number of them.
 const TOLERANCE: f64 = 1e-6;
 
 impl TrainDynamics {
-    /// Takes the train over a time `length`, s, with a constant command.
+    /// Takes the train over a time `length`, s, with a constant command for all of it.
     pub fn advance(&mut self, state: &mut TrainState, command: &Command, length: f64) {
+        self.advance_groups(state, std::slice::from_ref(command), length);
+    }
+
+    /// Takes the train over a time `length`, s, with a constant command for each group of
+    /// locomotives; groups without one follow the last.
+    pub fn advance_groups(&mut self, state: &mut TrainState, commands: &[Command], length: f64) {
         let count = (length / LONGEST_STEP - TOLERANCE).ceil().max(1.0);
         for _ in 0..count as usize {
-            self.inner_step(state, command, length / count);
+            self.inner_step(state, commands, length / count);
         }
     }
 
-    fn inner_step(&mut self, state: &mut TrainState, command: &Command, step: f64) {
+    fn inner_step(&mut self, state: &mut TrainState, commands: &[Command], step: f64) {
         for (vehicle, state) in self.vehicles.iter().zip(&mut state.vehicles) {
             state.kick(vehicle.inverse_inertia, step / 2.0);
             state.position += step * state.velocity;
         }
         self.move_connections(state);
+        pipe::note(&mut state.pipe, commands, state.time);
+        state.time += step;
         let mut power = Work::default();
-        for (vehicle, state) in self.vehicles.iter_mut().zip(&mut state.vehicles) {
-            vehicle.operate(state, command, step);
-            vehicle.act(state, &self.track);
-            state.kick(vehicle.inverse_inertia, step / 2.0);
-            power.add_power(state);
+        for (vehicle, own) in self.vehicles.iter_mut().zip(&mut state.vehicles) {
+            pipe::listen(vehicle, own, &state.pipe, state.time);
+            vehicle.operate(own, &commands[vehicle.group.min(commands.len() - 1)], step);
+            vehicle.act(own, &self.track, &self.wind);
+            own.kick(vehicle.inverse_inertia, step / 2.0);
+            power.add_power(own);
         }
         state.work.add(&state.power, step / 2.0);
         state.work.add(&power, step / 2.0);

@@ -8,17 +8,18 @@ use stock::{Consist, Library};
 use track::Track;
 
 use crate::brake::EMERGENCY;
-use crate::driver::{Command, Schedule};
+use crate::driver::{Command, Driver, DriverState, View};
 use crate::signals::{self, SCHEDULE, Signals};
 use crate::start::{Couplers, Start};
 use crate::traction::HIGHEST_NOTCH;
 use crate::train::{TrainDynamics, TrainState};
+use crate::wind::Wind;
 
 /// The longitudinal train as an FMU.
 #[derive(Debug)]
 pub struct Train {
     dynamics: TrainDynamics,
-    schedule: Schedule,
+    driver: Driver,
     state: State,
 }
 
@@ -27,10 +28,10 @@ pub struct Train {
 pub struct State {
     /// The train.
     pub train: TrainState,
-    /// Number of commands of the schedule whose time or place has come.
-    pub reached: usize,
-    /// Command in force.
-    pub command: Command,
+    /// The driver.
+    pub driver: DriverState,
+    /// Commands in force of each group of locomotives, the leading one first.
+    pub commands: Vec<Command>,
 }
 
 /// The file that a parameter names; without a name, the one in the resources.
@@ -77,30 +78,36 @@ impl Model for Train {
         let library = Library::open(resources.join("stock")).map_err(ModelError::from_error)?;
         let track = Track::from_file(&file(signals.track_file, "track.toml"))
             .map_err(ModelError::from_error)?;
-        let schedule = Schedule::from_file(&file(signals.driver_file, "driver.toml"))
+        let driver = Driver::from_file(&file(signals.driver_file, "driver.toml"))
             .map_err(ModelError::from_error)?;
         let mut dynamics = TrainDynamics::from_consist(&consist, &library, track)
             .map_err(ModelError::from_error)?;
+        dynamics.check_step().map_err(ModelError::from_error)?;
+        dynamics.wind = wind(signals, values);
 
-        let mut reached = 0;
         let position = values[signals.position];
-        let command = command(signals, values, &schedule, &mut reached, start_time, position)?;
-        let state = dynamics.start(&Start {
+        let velocity = values[signals.velocity];
+        let view = View { time: start_time, chainage: position, velocity, train: None };
+        let mut own = driver.start();
+        let mut command = driver.command(&mut own, &view, 0.0);
+        override_by_inputs(signals, values, &mut command)?;
+        let groups = dynamics.groups().max(driver.last_group() + 1);
+        let train = dynamics.start(&Start {
             position,
-            velocity: values[signals.velocity],
+            velocity,
             couplers: match values[signals.couplers] {
                 0 => Couplers::Unstressed,
                 _ => Couplers::InBalance,
             },
-            applied: match schedule.initially_applied {
+            applied: match driver.initially_applied {
                 true => command,
                 false => Command::default(),
             },
         });
-        let state = State { train: state, reached, command };
+        let state = State { train, driver: own, commands: vec![command; groups] };
         values[signals.train.mass] = dynamics.mass();
         values[signals.train.length] = dynamics.length();
-        let train = Self { dynamics, schedule, state };
+        let train = Self { dynamics, driver, state };
         train.show(signals, values);
         Ok(train)
     }
@@ -112,11 +119,19 @@ impl Model for Train {
         interval: Interval,
         _log: &mut Log,
     ) -> Result<(), ModelError> {
-        let state = &mut self.state;
-        let leader = state.train.vehicles[0].position;
-        state.command =
-            command(signals, values, &self.schedule, &mut state.reached, interval.start, leader)?;
-        self.dynamics.advance(&mut state.train, &state.command, interval.length);
+        let State { train, driver, commands } = &mut self.state;
+        let (time, leader) = (interval.start, &train.vehicles[0]);
+        let view = View {
+            time,
+            chainage: leader.position,
+            velocity: leader.velocity,
+            train: Some((&self.dynamics, train)),
+        };
+        commands[0] = self.driver.command(driver, &view, interval.length);
+        override_by_inputs(signals, values, &mut commands[0])?;
+        self.driver.pass_on(driver, &view, commands);
+        self.dynamics.wind = wind(signals, values);
+        self.dynamics.advance_groups(train, commands, interval.length);
         self.show(signals, values);
         Ok(())
     }
@@ -130,21 +145,23 @@ impl Model for Train {
     }
 }
 
-/// The command of the schedule, with what the inputs override.
-fn command(
+/// The wind of the inputs.
+fn wind(signals: &Signals, values: &Values) -> Wind {
+    Wind { speed: values[signals.wind_speed], direction: values[signals.wind_direction] }
+}
+
+/// Puts the inputs in the place of what the driver asks for.
+fn override_by_inputs(
     signals: &Signals,
     values: &Values,
-    schedule: &Schedule,
-    reached: &mut usize,
-    time: f64,
-    chainage: f64,
-) -> Result<Command, ModelError> {
-    let mut command = schedule.command(reached, time, chainage);
+    command: &mut Command,
+) -> Result<(), ModelError> {
     let input = &signals.driver[0];
     let overrides = [
         ("notch", input.notch, HIGHEST_NOTCH, &mut command.notch),
         ("dynamic_brake", input.dynamic_brake, 1.0, &mut command.dynamic_brake),
         ("train_brake", input.train_brake, EMERGENCY, &mut command.train_brake),
+        ("locomotive_brake", input.locomotive_brake, 1.0, &mut command.locomotive_brake),
     ];
     for (name, handle, greatest, asked) in overrides {
         let value = values[handle];
@@ -157,18 +174,23 @@ fn command(
             )));
         }
     }
-    Ok(command)
+    Ok(())
 }
 
 impl Train {
     /// Writes the outputs.
     fn show(&self, signals: &Signals, values: &mut Values) {
-        let State { train, command, .. } = &self.state;
+        let State { train, driver, commands } = &self.state;
+        let command = &commands[0];
 
         let in_force = &signals.driver[1];
         values[in_force.notch] = command.notch;
         values[in_force.dynamic_brake] = command.dynamic_brake;
         values[in_force.train_brake] = command.train_brake;
+        values[in_force.locomotive_brake] = command.locomotive_brake;
+        values[signals.control.target_speed] = driver.target_speed;
+        values[signals.control.measured_speed] = driver.measured_speed;
+        values[signals.control.speed_rms] = driver.speed_rms();
 
         let totals = self.dynamics.totals(train);
         values[signals.train.velocity] = totals.velocity;
@@ -180,7 +202,11 @@ impl Train {
         values[signals.train.greatest_tension] = totals.greatest_tension;
         values[signals.train.greatest_buff] = totals.greatest_buff;
 
-        let energy = self.dynamics.energy(train);
+        let vehicles = &signals.vehicles;
+        let energy = self.dynamics.energy_and_heat(train, |k, front, rear| {
+            values[vehicles[k].gear_heat[1]] = front;
+            values[vehicles[k + 1].gear_heat[0]] = rear;
+        });
         values[signals.energy.traction] = train.work.traction;
         values[signals.energy.dynamic_brake] = train.work.dynamic_brake;
         values[signals.energy.brake] = train.work.brake;
@@ -201,10 +227,12 @@ impl Train {
             values[signals.acceleration] = self.dynamics.vehicles()[i].acceleration(state);
             values[signals.coupler_front] = forces.coupler_front;
             values[signals.coupler_rear] = forces.coupler_rear;
-            values[signals.resistance] = share * forces.resistance;
+            values[signals.resistance] = share * forces.resistance + forces.wind;
             values[signals.curve_resistance] = share * forces.curve_resistance;
             values[signals.traction] = forces.traction;
             values[signals.brake] = forces.brake;
+            values[signals.wheel_brake_power] =
+                self.dynamics.vehicles()[i].wheel_brake_power(state);
         }
     }
 }

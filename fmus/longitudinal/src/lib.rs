@@ -5,44 +5,54 @@
 //!
 //! | file | part |
 //! |---|---|
-//! | `draft_gear.rs` | force of a friction gear over its deflection; two gears in series |
-//! | `connection.rs` | two gears with slack between two vehicles, with hysteresis |
-//! | `resistance.rs`, `curve_resistance.rs`, `gravity.rs` | what the line does to a vehicle |
+//! | `draft_gear.rs` | force of a gear over its deflection; two gears in series |
+//! | `connection.rs`, `connection_side.rs` | two gears with slack between two vehicles |
+//! | `resistance.rs`, `curve_resistance.rs`, `gravity.rs`, `wind.rs` | what the line does to a vehicle |
 //! | `lever.rs`, `traction.rs`, `dynamic_brake.rs` | what a locomotive does |
-//! | `brake.rs` | the electronically controlled friction brake |
-//! | `driver.rs` | the schedule of notches and brakes, and the file it comes from |
+//! | `brake.rs`, `ecp_brake.rs`, `air_brake.rs`, `pipe.rs` | friction brakes by cable and pipe |
+//! | `history.rs` | commands on their way |
+//! | `driver/` | who commands: a schedule, profiles, a controller, a logger's file |
 //! | `vehicle.rs` | one mass with all that acts on it |
 //! | `train.rs` | the train: vehicles, connections, track |
 //! | `start.rs` | the state at the beginning, in balance or unstressed |
-//! | `integrate.rs` | the step |
+//! | `integrate.rs`, `stability.rs` | the step, and how long it may be |
 //! | `energy.rs` | work of each kind and the energy audit |
 //! | `totals.rs` | sums and extremes over the train |
 //! | `signals.rs` | the variables of the FMU |
 //! | `interface.rs` | the way from them to the physics and back |
 
+mod air_brake;
 pub mod brake;
 pub mod connection;
+mod connection_side;
 pub mod curve_resistance;
 pub mod draft_gear;
 pub mod driver;
 pub mod dynamic_brake;
+mod ecp_brake;
 mod energy;
 pub mod gravity;
+mod history;
 mod integrate;
 mod interface;
 pub mod lever;
+mod pipe;
 pub mod resistance;
 mod signals;
+mod stability;
 mod start;
 mod totals;
 pub mod traction;
 mod train;
 mod vehicle;
+mod wind;
 
 pub use energy::{Energy, Work};
+pub use integrate::LONGEST_STEP;
 pub use interface::{State, Train};
 pub use signals::{Signals, VehicleSignals};
 pub use start::{Couplers, Start};
 pub use totals::Totals;
 pub use train::{BuildError, TrainDynamics, TrainState};
 pub use vehicle::{Forces, Vehicle, VehicleState};
+pub use wind::Wind;

@@ -1,48 +1,85 @@
-//! Propulsion resistance of a vehicle on straight level track.
-//!
-//! A Davis formula with the coefficients of the vehicle file (theory, eq. 9):
+//! Propulsion resistance of a vehicle on straight level track, and the wind.
 //!
 //! ```text
-//! R = k (a m + b n + c m V + d V²)      m in t, n axles, V in km/h, R in N
+//! R = a + b v + c v² + S max(0, 1 − v/v_S)      (theory, eq. 9)
+//! W = −c ((v + w) |v + w| − v |v|)              (theory, eq. 9a)
 //! ```
 //!
-//! Cole's form of the modified Davis formula, Ka [2.943 + 89.2/m_a + 0.0306 V +
-//! 1.741 k_ad V²/(m_a n)] N/t with the axle load m_a (*Handbook of Railway Vehicle Dynamics*, 2006,
-//! ch. 9), is a = 2.943, b = 89.2, c = 0.0306, d = 1.741 k_ad; the Canadian National, AREMA and
-//! AAR formulas fit in the same way. Valid up to the speeds of freight trains, about 120 km/h.
+//! with the coefficients of one of the formulas of the vehicle file (`stock::ResistanceFormula`), or
+//! a table in the place of the first three terms. S is what it takes to set the vehicle in motion,
+//! gone at the speed v_S; w is the wind against the running direction, and W what it adds: a tail
+//! wind may push. Valid up to the speeds of freight trains, about 120 km/h; a side wind does not
+//! count.
 //!
 //! Validated by `benchmark_resistance_of_the_train_at_60_kmh`: 209.9 kN for the paper's train.
+
+use numerics::{LinearTable, TableError};
 
 /// Kilometres per hour in a metre per second.
 const KMH: f64 = 3.6;
 
-/// Propulsion resistance `constant + linear v + quadratic v²`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Propulsion resistance.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Resistance {
     /// N.
     constant: f64,
     /// N s/m.
     linear: f64,
-    /// N s²/m².
+    /// Part of the air, N s²/m².
     quadratic: f64,
+    /// Force over m/s in the place of the three.
+    table: Option<LinearTable>,
+    /// What setting in motion takes beyond that, N.
+    starting: f64,
+    /// Speed at which nothing of it is left, m/s.
+    starting_until: f64,
 }
 
 impl Resistance {
     /// The resistance of a vehicle.
-    pub fn new(vehicle: &stock::Vehicle) -> Self {
+    ///
+    /// # Errors
+    /// When its table cannot be used.
+    pub fn new(vehicle: &stock::Vehicle) -> Result<Self, TableError> {
         let file = &vehicle.resistance;
         let tonnes = vehicle.mass_kg * 1e-3;
-        let axles = f64::from(vehicle.axles);
-        Self {
-            constant: file.factor * (file.constant_n_per_t * tonnes + file.axle_n * axles),
-            linear: file.factor * file.linear_n_per_t_kmh * tonnes * KMH,
-            quadratic: file.factor * file.quadratic_n_per_kmh2 * KMH * KMH,
-        }
+        let davis = file.coefficients(tonnes, f64::from(vehicle.axles));
+        let table = file.table.as_ref().map(|table| {
+            let speeds = table.speed_kmh.iter().map(|v| v / KMH).collect();
+            LinearTable::new(
+                speeds,
+                table.effort_kn.iter().map(|f| f * 1e3 * file.factor).collect(),
+            )
+        });
+        Ok(Self {
+            constant: davis.constant_n,
+            linear: davis.linear_n_per_kmh * KMH,
+            quadratic: davis.quadratic_n_per_kmh2 * KMH * KMH,
+            table: table.transpose()?,
+            starting: file.starting_n_per_t * tonnes,
+            starting_until: file.starting_until_kmh / KMH,
+        })
     }
 
     /// Greatest force against the motion at a speed, m/s, in N; at standstill what it takes to
     /// set the vehicle in motion.
+    #[inline]
     pub fn force(&self, speed: f64) -> f64 {
-        self.constant + speed * (self.linear + speed * self.quadratic)
+        let rolling = match &self.table {
+            None => self.constant + speed * (self.linear + speed * self.quadratic),
+            Some(table) => table.value(speed, &mut 0),
+        };
+        match self.starting > 0.0 && speed < self.starting_until {
+            true => rolling + self.starting * (1.0 - speed / self.starting_until),
+            false => rolling,
+        }
+    }
+
+    /// What a wind against the running direction, m/s, adds at a velocity, m/s, in N; positive
+    /// forward.
+    #[inline]
+    pub fn wind(&self, velocity: f64, headwind: f64) -> f64 {
+        let air = velocity + headwind;
+        -self.quadratic * (air * air.abs() - velocity * velocity.abs())
     }
 }

@@ -27,6 +27,9 @@ pub struct Signals {
     pub velocity: Real,
     /// Inputs that override the schedule, and outputs of what is in force.
     pub(crate) driver: [DriverSignals; 2],
+    pub(crate) control: ControlSignals,
+    pub(crate) wind_speed: Real,
+    pub(crate) wind_direction: Real,
     pub(crate) train: TrainSignals,
     pub(crate) energy: EnergySignals,
     /// Each vehicle's outputs, from the head of the train.
@@ -38,6 +41,14 @@ pub(crate) struct DriverSignals {
     pub(crate) notch: Real,
     pub(crate) dynamic_brake: Real,
     pub(crate) train_brake: Real,
+    pub(crate) locomotive_brake: Real,
+}
+
+#[derive(Debug)]
+pub(crate) struct ControlSignals {
+    pub(crate) target_speed: Real,
+    pub(crate) measured_speed: Real,
+    pub(crate) speed_rms: Real,
 }
 
 #[derive(Debug)]
@@ -89,6 +100,10 @@ pub struct VehicleSignals {
     pub traction: Real,
     /// Friction force of the brake shoes.
     pub brake: Real,
+    /// Heat of the friction brake into each wheel.
+    pub wheel_brake_power: Real,
+    /// Heat of the draft gears at the front and at the rear since the start.
+    pub gear_heat: [Real; 2],
 }
 
 /// Declares the variables for the consist in the resources.
@@ -122,6 +137,19 @@ pub(crate) fn declare(
             .real("initial.velocity", unit::METRE_PER_SECOND, "Velocity of the train")
             .parameter(0.0),
         driver: [declare_overrides(declaration), declare_in_force(declaration)],
+        control: declare_control(declaration),
+        wind_speed: declaration
+            .real("wind.speed", unit::METRE_PER_SECOND, "Speed of the wind")
+            .min(0.0)
+            .input(0.0),
+        wind_direction: declaration
+            .real(
+                "wind.direction",
+                unit::RADIAN,
+                "Angle the wind comes from, to the right of the heading at the track's beginning; \
+                 0 is a head wind there",
+            )
+            .input(0.0),
         train: declare_train(declaration),
         energy: declare_energy(declaration),
         vehicles: (1..=consist.types.len())
@@ -143,6 +171,7 @@ fn declare_overrides(declaration: &mut Declaration) -> DriverSignals {
         notch: input("notch", HIGHEST_NOTCH, "Notch, 0 to 8"),
         dynamic_brake: input("dynamic_brake", 1.0, "Dynamic brake, share of full effort"),
         train_brake: input("train_brake", EMERGENCY, "Train brake, 1 full service, 1.2 emergency"),
+        locomotive_brake: input("locomotive_brake", 1.0, "Locomotive brake, 1 full"),
     }
 }
 
@@ -155,6 +184,22 @@ fn declare_in_force(declaration: &mut Declaration) -> DriverSignals {
         notch: output("notch", "Notch in force"),
         dynamic_brake: output("dynamic_brake", "Dynamic brake in force"),
         train_brake: output("train_brake", "Train brake in force"),
+        locomotive_brake: output("locomotive_brake", "Locomotive brake in force"),
+    }
+}
+
+fn declare_control(declaration: &mut Declaration) -> ControlSignals {
+    let mut output = |name: &str, what: &str| {
+        let name = format!("driver.{name}");
+        declaration.real(name, unit::METRE_PER_SECOND, what).output()
+    };
+    ControlSignals {
+        target_speed: output("target_speed", "Speed the driver keeps to; 0 without one"),
+        measured_speed: output("measured_speed", "Speed in the logger's file; 0 without one"),
+        speed_rms: output(
+            "speed_rms",
+            "Root mean square of the difference from the measured speed since the start",
+        ),
     }
 }
 
@@ -224,5 +269,18 @@ fn declare_vehicle(declaration: &mut Declaration, number: usize) -> VehicleSigna
             "Drive at the wheel rims; dynamic brake negative",
         ),
         brake: output("brake.force", unit::NEWTON, "Friction of the brake shoes, not negative"),
+        wheel_brake_power: output(
+            "wheel.brake_power",
+            unit::WATT,
+            "Heat of the friction brake into each wheel",
+        ),
+        gear_heat: [
+            output(
+                "draft_gear.front.energy",
+                unit::JOULE,
+                "Heat of the front gear since the start",
+            ),
+            output("draft_gear.rear.energy", unit::JOULE, "Heat of the rear gear since the start"),
+        ],
     }
 }

@@ -11,6 +11,7 @@
 
 use crate::connection::ConnectionState;
 use crate::driver::Command;
+use crate::pipe;
 use crate::train::{TrainDynamics, TrainState};
 use crate::vehicle::{Forces, VehicleState};
 
@@ -48,6 +49,7 @@ impl TrainDynamics {
         for (vehicle, state) in self.vehicles.iter().zip(&mut state.vehicles) {
             vehicle.settle(state, &start.applied);
         }
+        state.pipe = pipe::histories(&self.vehicles, &[start.applied]);
         self.place(&mut state, start.position);
         if start.couplers == Couplers::InBalance {
             let forces = self.balanced_forces(&state);
@@ -73,7 +75,7 @@ impl TrainDynamics {
                 state.vehicles[i].forces.coupler_front = connection.force;
             }
             state.vehicles[i].position = position;
-            self.vehicles[i].act(&mut state.vehicles[i], &self.track);
+            self.vehicles[i].act(&mut state.vehicles[i], &self.track, &self.wind);
         }
     }
 
@@ -84,6 +86,7 @@ impl TrainDynamics {
         for (vehicle, state) in self.vehicles.iter().zip(&state.vehicles) {
             whole.traction += state.forces.traction;
             whole.gravity += state.forces.gravity;
+            whole.wind += state.forces.wind;
             whole.resistance += state.forces.resisting();
             inertia += vehicle.inertia;
         }

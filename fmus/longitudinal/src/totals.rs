@@ -35,7 +35,7 @@ impl TrainDynamics {
             totals.velocity += vehicle.mass * state.velocity;
             totals.traction += forces.traction;
             totals.gravity += forces.gravity;
-            totals.resistance += share * forces.resistance;
+            totals.resistance += share * forces.resistance + forces.wind;
             totals.curve_resistance += share * forces.curve_resistance;
             totals.brake += forces.brake;
         }

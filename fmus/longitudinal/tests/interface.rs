@@ -189,3 +189,38 @@ fn a_consist_file_that_is_missing_is_named() {
     let error = Instance::<Train>::new(folder.path(), "train", Box::new(|_, _| ())).err().unwrap();
     assert!(error.to_string().contains("consist.toml"), "{error}");
 }
+
+/// Heat of the wheels, heat of the gears and the wind come through the interface.
+#[test]
+fn analytic_heat_and_wind_pass_through_the_interface() {
+    let folder = resources(CONSIST, DRIVER);
+    let mut fmu = Fmu::start(folder.path(), &[]).unwrap();
+    fmu.run(0..1500).unwrap();
+    for i in 1..=5 {
+        let power = fmu.get(&format!("vehicle[{i}].brake.force"))
+            * fmu.get(&format!("vehicle[{i}].velocity"));
+        let wheel = fmu.get(&format!("vehicle[{i}].wheel.brake_power"));
+        // Twelve wheels; rounding of 1e5 W.
+        assert!(wheel > 0.0 && (12.0 * wheel - power).abs() < 1e-6);
+    }
+    let gears: f64 = (1..=5)
+        .flat_map(|i| ["front", "rear"].map(|end| format!("vehicle[{i}].draft_gear.{end}.energy")))
+        .map(|name| fmu.get(&name))
+        .sum();
+    assert!((gears - fmu.get("energy.draft_gears")).abs() < 1e-6 * gears.abs() + 1e-6);
+    let still = fmu.get("train.resistance.force");
+    fmu.set("wind.speed", 20.0).unwrap();
+    fmu.run(1500..1501).unwrap();
+    let windy = fmu.get("train.resistance.force");
+    assert!(windy < 1.2 * still, "a head wind of 20 m/s: {still} N, {windy} N");
+}
+
+#[test]
+fn a_gear_blended_too_fast_for_the_step_is_refused() {
+    let folder = resources(CONSIST, DRIVER);
+    let file = folder.path().join("stock/draft_gears/friction-gear-m901e.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(&file, format!("transition_speed_mm_s = 1.0\n{text}")).unwrap();
+    let message = Fmu::start(folder.path(), &[]).err().unwrap().to_string();
+    assert!(message.contains("longer than the longest stable one"), "{message}");
+}

@@ -1,38 +1,13 @@
-//! The longitudinal train against closed forms and published figures.
-//!
-//! Each row of the table is one [`Row`]: `cargo test -p longitudinal --test validation --
-//! --nocapture` prints it.
+//! Closed forms of whole trains, and published figures by hand.
 
-mod support;
-
+use crate::support::*;
 use longitudinal::connection::{Connection, ConnectionState};
 use longitudinal::driver::Command;
 use longitudinal::{Couplers, TrainDynamics, TrainState, draft_gear};
 use stock::Vehicle;
-use support::*;
 use track::Track;
 
 const KMH: f64 = 1.0 / 3.6;
-
-/// One line of the validation table.
-struct Row<'a> {
-    case: &'a str,
-    value: f64,
-    expected: f64,
-    unit: &'a str,
-    source: &'a str,
-    /// Allowed difference, and why it is what it is.
-    tolerance: (f64, &'a str),
-}
-
-impl Row<'_> {
-    fn holds(&self) {
-        let Self { case, value, expected, unit, source, tolerance } = self;
-        println!("| {case} | {value} {unit} | {expected} {unit} | {source} | {tolerance:?} |");
-        let difference = (value - expected).abs();
-        assert!(difference <= tolerance.0, "{case}: {value} {unit}, expected {expected} {unit}");
-    }
-}
 
 /// Resistance of all vehicles at their velocities, N.
 fn resistance(train: &TrainDynamics, state: &TrainState) -> f64 {
@@ -123,8 +98,8 @@ fn analytic_peak_force_of_an_impact_of_two_vehicles() {
             peak = peak.max(-state.connections[0].force);
         }
         let energy_kj = 0.5 * (134e3 / 2.0) * speed.powi(2) * 1e-3;
-        let deflection = inverse(|x| 2.0 * gear.loading.energy_to_kj(x), energy_kj, 74.4);
-        let expected = gear.loading.force_at_kn(deflection) * 1e3;
+        let deflection = inverse(|x| 2.0 * gear.draft.loading.energy_to_kj(x), energy_kj, 74.4);
+        let expected = gear.draft.loading.force_at_kn(deflection) * 1e3;
         Row {
             case: &format!("peak force of an impact at {speed} m/s"),
             value: peak,
@@ -151,7 +126,7 @@ fn inverse(function: impl Fn(f64) -> f64, value: f64, greatest: f64) -> f64 {
 }
 
 fn connection(slack: f64) -> Connection {
-    let gear = draft_gear::DraftGear::new(&friction_gear());
+    let gear = draft_gear::DraftGear::new(&friction_gear()).unwrap();
     Connection::new(&gear, &gear, slack, 20.0)
 }
 
@@ -172,7 +147,7 @@ fn analytic_energy_of_a_closed_cycle_of_the_gears() {
     Row {
         case: "energy taken by two gears pushed in by 60 mm each",
         value: loaded,
-        expected: 2e3 * gear.loading.energy_to_kj(60.0),
+        expected: 2e3 * gear.draft.loading.energy_to_kj(60.0),
         unit: "J",
         source: "area under the loading curve",
         tolerance: (20.0, "corners of the curve cut by 20000 steps"),
@@ -180,13 +155,13 @@ fn analytic_energy_of_a_closed_cycle_of_the_gears() {
     .holds();
     let dissipated = loaded + push(&mut connection, &mut state, 0.0);
     // Coming out, the force falls along the locked stiffness (200 N/µm) to the unloading curve.
-    let force = gear.loading.force_at_kn(60.0);
-    let locked = |x: f64| force - gear.locked_stiffness_mn_m * (60.0 - x);
-    let unloading = gear.unloading.as_ref().unwrap();
+    let force = gear.draft.loading.force_at_kn(60.0);
+    let locked = |x: f64| force - gear.draft.locked_stiffness_mn_m * (60.0 - x);
+    let unloading = &gear.draft.unloading;
     let meets = inverse(|x| locked(x) - unloading.force_at_kn(x), 0.0, 60.0);
     let given_back =
         unloading.energy_to_kj(meets) + (force + locked(meets)) / 2.0 * (60.0 - meets) * 1e-3;
-    let expected = 2e3 * (gear.loading.energy_to_kj(60.0) - given_back);
+    let expected = 2e3 * (gear.draft.loading.energy_to_kj(60.0) - given_back);
     Row {
         case: "energy kept by the gears in a closed cycle",
         value: dissipated,
@@ -335,7 +310,7 @@ fn canadian_national(mut vehicle: Vehicle, axles: u32, drag: f64) -> Vehicle {
     vehicle.resistance.linear_n_per_t_kmh = 0.03 * pound / short_ton / mile;
     vehicle.resistance.quadratic_n_per_kmh2 = drag * 1e-4 * pound / (mile * mile);
     if let Some(traction) = &mut vehicle.traction {
-        traction.adhesion.value.fill(1.0);
+        traction.adhesion = None;
     }
     vehicle
 }

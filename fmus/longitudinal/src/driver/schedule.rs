@@ -1,53 +1,29 @@
-//! What the driver does, and the file that says it.
+//! A schedule of commands by time or by place.
 //!
 //! ```toml
-//! initially_applied = true     # the first command has held for long before the run
 //! [[command]]
 //! from_s = 0.0                 # holds from this time on
-//! notch = 5.0
+//! notch = 5.0                  # or throttle = 0.625
 //! [[command]]
 //! from_m = 4200.0              # holds once the leading vehicle's middle has come here
 //! dynamic_brake = 0.5          # share of full effort
 //! train_brake = 0.3            # 1 is full service, 1.2 emergency
+//! locomotive_brake = 0.0       # 1 is full
 //! ```
 //!
 //! The commands hold one after the other: each waits for its own time or place, and then for
 //! nothing else. What a command does not name is zero.
 
-use std::path::Path;
-
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use stock::{Check, StockError};
 
+use super::Command;
 use crate::brake::EMERGENCY;
 use crate::traction::HIGHEST_NOTCH;
-
-/// What the driver asks for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Command {
-    /// Notch, 0 (idle) to 8; between two notches the drive is between them.
-    pub notch: f64,
-    /// Dynamic brake as a share of full effort; takes traction away.
-    pub dynamic_brake: f64,
-    /// Train brake: 1 is full service, 1.2 emergency.
-    pub train_brake: f64,
-}
-
-impl Command {
-    /// The place that the levers of the locomotives go to (see [`crate::lever`]).
-    pub fn lever(&self) -> f64 {
-        match self.dynamic_brake > 0.0 {
-            true => -self.dynamic_brake,
-            false => self.notch / HIGHEST_NOTCH,
-        }
-    }
-}
 
 /// Commands in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Schedule {
-    /// Whether the drives and brakes have come to the first command before the run begins.
-    pub initially_applied: bool,
     entries: Vec<(Begin, Command)>,
 }
 
@@ -60,53 +36,41 @@ enum Begin {
     Chainage(f64),
 }
 
+/// One `[[command]]` of a driver file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct DriverFile {
-    #[serde(default = "yes")]
-    initially_applied: bool,
-    #[serde(default)]
-    command: Vec<Entry>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Entry {
+pub(super) struct Entry {
     from_s: Option<f64>,
     from_m: Option<f64>,
-    #[serde(default)]
-    notch: f64,
+    notch: Option<f64>,
+    throttle: Option<f64>,
     #[serde(default)]
     dynamic_brake: f64,
     #[serde(default)]
     train_brake: f64,
-}
-
-fn yes() -> bool {
-    true
+    #[serde(default)]
+    locomotive_brake: f64,
 }
 
 impl Schedule {
-    /// One command for the whole run, applied from the beginning.
+    /// One command for the whole run.
     pub fn constant(command: Command) -> Self {
-        Self { initially_applied: true, entries: vec![(Begin::Time(f64::NEG_INFINITY), command)] }
+        Self { entries: vec![(Begin::Time(f64::NEG_INFINITY), command)] }
     }
 
-    /// Reads a driver file.
-    ///
-    /// # Errors
-    /// When the file cannot be read or a value in it is not possible.
-    pub fn from_file(file: &Path) -> Result<Self, StockError> {
-        let content: DriverFile = stock::read_toml(file)?;
-        let name = file.display().to_string();
-        let check = Check::new(&name);
-        let entries = content.command.iter().enumerate();
-        let entries =
-            entries.map(|(i, e)| e.compile(&check.section(&format!("command[{}]", i + 1))));
-        Ok(Self {
-            initially_applied: content.initially_applied,
-            entries: entries.collect::<Result<_, _>>()?,
-        })
+    pub(super) fn compile(entries: &[Entry], check: &Check) -> Result<Self, StockError> {
+        let mut compiled: Vec<(Begin, Command)> = Vec::with_capacity(entries.len());
+        for (i, entry) in entries.iter().enumerate() {
+            let check = check.section(&format!("command[{}]", i + 1));
+            let (begin, command) = entry.compile(&check)?;
+            let before = compiled.iter().rev().find_map(|(before, _)| before.later_than(&begin));
+            if let Some((key, before, own)) = before {
+                let wanted = format!("goes back: a command before it waits for {before}");
+                return Err(check.error(key, own, wanted));
+            }
+            compiled.push((begin, command));
+        }
+        Ok(Self { entries: compiled })
     }
 
     /// The command that holds; `reached` is the number of commands whose time or place has come.
@@ -128,6 +92,19 @@ impl Schedule {
     }
 }
 
+impl Begin {
+    /// Key, own value and that of `next` when both are of a kind and this one is later.
+    fn later_than(&self, next: &Self) -> Option<(&'static str, f64, f64)> {
+        match (self, next) {
+            (Self::Time(own), Self::Time(next)) if own > next => Some(("from_s", *own, *next)),
+            (Self::Chainage(own), Self::Chainage(next)) if own > next => {
+                Some(("from_m", *own, *next))
+            }
+            _ => None,
+        }
+    }
+}
+
 impl Entry {
     fn compile(&self, check: &Check) -> Result<(Begin, Command), StockError> {
         let begin = match (self.from_s, self.from_m) {
@@ -139,17 +116,29 @@ impl Entry {
                 return Err(check.error("from_s", value, wanted));
             }
         };
-        check.between("notch", self.notch, 0.0, HIGHEST_NOTCH)?;
+        let notch = match (self.notch, self.throttle) {
+            (notch, None) => notch.unwrap_or_default(),
+            (None, Some(throttle)) => {
+                check.between("throttle", throttle, 0.0, 1.0)?;
+                throttle * HIGHEST_NOTCH
+            }
+            (Some(notch), Some(_)) => {
+                return Err(check.error("notch", notch, "leave either notch or throttle out"));
+            }
+        };
+        check.between("notch", notch, 0.0, HIGHEST_NOTCH)?;
         check.between("dynamic_brake", self.dynamic_brake, 0.0, 1.0)?;
         check.between("train_brake", self.train_brake, 0.0, EMERGENCY)?;
-        if self.notch > 0.0 && self.dynamic_brake > 0.0 {
+        check.between("locomotive_brake", self.locomotive_brake, 0.0, 1.0)?;
+        if notch > 0.0 && self.dynamic_brake > 0.0 {
             let wanted = "must be zero in a command with a notch";
             return Err(check.error("dynamic_brake", self.dynamic_brake, wanted));
         }
         let command = Command {
-            notch: self.notch,
+            notch,
             dynamic_brake: self.dynamic_brake,
             train_brake: self.train_brake,
+            locomotive_brake: self.locomotive_brake,
         };
         Ok((begin, command))
     }
@@ -159,11 +148,24 @@ impl Entry {
 mod tests {
     use super::*;
 
+    #[derive(Deserialize)]
+    struct File {
+        command: Vec<Entry>,
+    }
+
     fn schedule(text: &str) -> Result<Schedule, StockError> {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("driver.toml");
         std::fs::write(&file, text).unwrap();
-        Schedule::from_file(&file)
+        let file: File = stock::read_toml(&file)?;
+        Schedule::compile(&file.command, &Check::new("driver.toml"))
+    }
+
+    #[test]
+    fn a_schedule_that_goes_back_in_time_is_refused() {
+        let text = "command = [{ from_s = 9 }, { from_m = 5 }, { from_s = 8, notch = 1 }]";
+        let message = schedule(text).unwrap_err().to_string();
+        assert!(message.contains("command[3].from_s = 8: goes back"), "{message}");
     }
 
     #[test]
@@ -180,6 +182,12 @@ mod tests {
         assert_eq!(at(20.0, 499.0).notch, 8.0);
         assert_eq!(at(20.0, 500.0).dynamic_brake, 0.5);
         assert_eq!(at(21.0, 0.0).lever(), -0.5);
+    }
+
+    #[test]
+    fn analytic_throttle_is_a_share_of_the_highest_notch() {
+        let schedule = schedule("command = [{ from_s = 0, throttle = 0.75 }]").unwrap();
+        assert_eq!(schedule.command(&mut 0, 0.0, 0.0).notch, 6.0);
     }
 
     #[test]

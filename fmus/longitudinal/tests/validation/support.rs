@@ -8,8 +8,55 @@ use track::Track;
 /// Folder of the shipped rolling stock.
 const STOCK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../stock");
 
-fn library() -> Library {
+/// The shipped rolling stock.
+pub fn library() -> Library {
     Library::open(STOCK).expect("the repository has a stock folder")
+}
+
+/// One line of the validation table.
+pub struct Row<'a> {
+    /// What is compared.
+    pub case: &'a str,
+    /// Value of the model.
+    pub value: f64,
+    /// Value that the source has.
+    pub expected: f64,
+    /// Unit of both.
+    pub unit: &'a str,
+    /// Where the expectation comes from.
+    pub source: &'a str,
+    /// Allowed difference, and why it is what it is.
+    pub tolerance: (f64, &'a str),
+}
+
+impl Row<'_> {
+    /// Prints the line and fails unless the value is within the tolerance.
+    pub fn holds(&self) {
+        let Self { case, value, expected, unit, source, tolerance } = self;
+        println!(
+            "| {case} | {} {unit} | {source} | {} {unit} | {} {unit}: {} |",
+            short(*expected),
+            short(*value),
+            short(tolerance.0),
+            tolerance.1
+        );
+        let difference = (value - expected).abs();
+        assert!(difference <= tolerance.0, "{case}: {value} {unit}, expected {expected} {unit}");
+    }
+}
+
+/// Prints a line of the table whose expectation is a bound.
+pub fn bound(case: &str, bound: &str, value: &str) {
+    println!("| {case} | {bound} | bound | {value} | |");
+}
+
+/// A number with six digits.
+pub fn short(value: f64) -> String {
+    let digits = 5 - value.abs().max(1e-12).log10().floor() as i32;
+    match digits {
+        0..=9 => format!("{value:.*}", digits as usize),
+        _ => format!("{value:.3e}"),
+    }
 }
 
 /// The paper's locomotive.
@@ -74,4 +121,22 @@ pub fn notch(notch: f64) -> Command {
 /// Friction brake.
 pub fn train_brake(train_brake: f64) -> Command {
     Command { train_brake, ..Command::default() }
+}
+
+/// A draft gear from the text of its file.
+pub fn gear_of(text: &str) -> DraftGear {
+    let folder = tempfile::tempdir().unwrap();
+    let gears = folder.path().join("draft_gears");
+    std::fs::create_dir(folder.path().join("vehicles")).unwrap();
+    std::fs::create_dir(&gears).unwrap();
+    std::fs::write(gears.join("gear.toml"), text).unwrap();
+    Library::open(folder.path()).unwrap().draft_gear("gear").unwrap()
+}
+
+/// A vehicle that extends the paper's locomotive with the text of a file.
+pub fn vehicle_of(text: &str) -> Vehicle {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("vehicle.toml");
+    std::fs::write(&file, format!("extends = 'locomotive-coco-134t'\n{text}")).unwrap();
+    library().vehicle_from_file(&file).unwrap()
 }

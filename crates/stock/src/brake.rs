@@ -1,0 +1,165 @@
+//! Sections of the vehicle file on its brakes: `[brake]`, `[locomotive_brake]`, `[hand_brake]`.
+
+use serde::Deserialize;
+
+use crate::check::{Check, StockError};
+use crate::propulsion::ValueBySpeed;
+
+/// What commands the friction brake.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum BrakeControl {
+    /// A cable along the train (ECP).
+    #[default]
+    Ecp,
+    /// The pressure in the brake pipe, by `[brake.air]`.
+    Air,
+}
+
+/// Section `[brake]`: the friction brake that the train brake commands.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Brake {
+    /// Cable or pipe. A vehicle may have both; the times below are those of the cable.
+    #[serde(default)]
+    pub control: BrakeControl,
+    /// Force of all shoes over the vehicle's weight at full service.
+    pub net_braking_ratio: f64,
+    /// Share of the friction power that goes into the wheels; the shoes take the rest.
+    #[serde(default = "one")]
+    pub wheel_heat_share: f64,
+    /// Time from a command to the first change of the cylinder pressure, s.
+    pub dead_time_s: f64,
+    /// Shortest time from empty to full service, s.
+    pub build_up_s: f64,
+    /// Shortest time from full service to empty, s.
+    pub release_s: f64,
+    /// Time constant with which the pressure comes to its target, s.
+    pub lag_s: f64,
+    /// Friction coefficient of the shoes by speed.
+    pub shoe_friction: ValueBySpeed,
+    /// The conventional air brake.
+    pub air: Option<AirBrake>,
+}
+
+/// Section `[brake.air]`: a conventional air brake, described by its effect.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AirBrake {
+    /// Speed along the train at which a service application is felt, m/s.
+    pub service_wave_m_per_s: f64,
+    /// Speed at which a release is felt, m/s.
+    pub release_wave_m_per_s: f64,
+    /// Speed at which an emergency application is felt, m/s.
+    pub emergency_wave_m_per_s: f64,
+    /// Cylinder pressure after a full service application is felt.
+    pub build_up: FractionByTime,
+    /// Cylinder pressure after an emergency application is felt, as a fraction of its own.
+    pub emergency_build_up: FractionByTime,
+    /// Share of the cylinder pressure that is gone after a release is felt.
+    pub release: FractionByTime,
+    /// Whether the brake can be released by degrees; otherwise any release empties the cylinder.
+    #[serde(default)]
+    pub graduated_release: bool,
+}
+
+/// A fraction that rises from 0 to 1 over time.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FractionByTime {
+    /// Times, rising from zero, s.
+    pub time_s: Vec<f64>,
+    /// Fractions, rising from 0 to 1.
+    pub fraction: Vec<f64>,
+}
+
+/// Section `[locomotive_brake]`: the brake that only acts on the locomotives.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LocomotiveBrake {
+    /// Force of all shoes over the weight when fully applied.
+    pub net_braking_ratio: f64,
+    /// Time from empty to full, s.
+    pub build_up_s: f64,
+    /// Time from full to empty, s.
+    pub release_s: f64,
+}
+
+/// Section `[hand_brake]`: what the consist file applies.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HandBrake {
+    /// Force of all shoes over the weight when fully applied.
+    pub net_braking_ratio: f64,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl Brake {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+        check.between("net_braking_ratio", self.net_braking_ratio, 0.0, 1.0)?;
+        check.between("wheel_heat_share", self.wheel_heat_share, 0.0, 1.0)?;
+        check.between("dead_time_s", self.dead_time_s, 0.0, 60.0)?;
+        check.between("build_up_s", self.build_up_s, 0.1, 600.0)?;
+        check.between("release_s", self.release_s, 0.1, 600.0)?;
+        check.between("lag_s", self.lag_s, 0.1, 60.0)?;
+        self.shoe_friction.check(&check.section("shoe_friction"))?;
+        match (&self.air, self.control) {
+            (Some(air), _) => air.check(&check.section("air")),
+            (None, BrakeControl::Air) => {
+                Err(check.error("control", "\"air\"", "needs the section [brake.air]"))
+            }
+            (None, BrakeControl::Ecp) => Ok(()),
+        }
+    }
+}
+
+impl AirBrake {
+    fn check(&self, check: &Check) -> Result<(), StockError> {
+        // Above the speed of sound in air nothing moves along a pipe.
+        check.between("service_wave_m_per_s", self.service_wave_m_per_s, 1.0, 350.0)?;
+        check.between("release_wave_m_per_s", self.release_wave_m_per_s, 1.0, 350.0)?;
+        check.between("emergency_wave_m_per_s", self.emergency_wave_m_per_s, 1.0, 350.0)?;
+        self.build_up.check(&check.section("build_up"))?;
+        self.emergency_build_up.check(&check.section("emergency_build_up"))?;
+        self.release.check(&check.section("release"))
+    }
+}
+
+impl FractionByTime {
+    fn check(&self, check: &Check) -> Result<(), StockError> {
+        let columns = (("time_s", &self.time_s[..]), ("fraction", &self.fraction[..]));
+        check.columns(columns.0, columns.1, 2)?;
+        for i in 1..self.fraction.len() {
+            if self.fraction[i] <= self.fraction[i - 1] {
+                let wanted =
+                    format!("must rise from the value before it, {}", self.fraction[i - 1]);
+                let key = format!("fraction[{}]", i + 1);
+                return Err(check.error(&key, self.fraction[i], wanted));
+            }
+        }
+        let (first, last) = (self.fraction[0], self.fraction[self.fraction.len() - 1]);
+        match first == 0.0 && last == 1.0 {
+            true => Ok(()),
+            false => {
+                Err(check.error("fraction", format!("{first} to {last}"), "must go from 0 to 1"))
+            }
+        }
+    }
+}
+
+impl LocomotiveBrake {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+        check.between("net_braking_ratio", self.net_braking_ratio, 0.0, 1.0)?;
+        check.between("build_up_s", self.build_up_s, 0.1, 600.0)?;
+        check.between("release_s", self.release_s, 0.1, 600.0)
+    }
+}
+
+impl HandBrake {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+        check.between("net_braking_ratio", self.net_braking_ratio, 0.0, 1.0)
+    }
+}

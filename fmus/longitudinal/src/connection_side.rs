@@ -1,0 +1,213 @@
+//! The gears between two vehicles in one direction, draft or buff: force and energy over the
+//! deflection behind the slack.
+//!
+//! With the locked stiffness K and the two curves of the gears in series, the force follows (theory,
+//! eq. 7)
+//!
+//! ```text
+//! F(d + Δd) = clamp(F(d) + K Δd, F_unloading(d + Δd) − C v², F_loading(d + Δd) + C v²)
+//! ```
+//!
+//! with C of a hydraulic cushion in the direction that it resists. The law does not depend on the
+//! rate but for that, so no transition speed has to be chosen: laws that blend the curves by the
+//! speed make simulators unstable (international benchmark of longitudinal train dynamics
+//! simulators, Wu et al. 2018). Who wants one gives a transition speed v_e (theory, eq. 7a):
+//!
+//! ```text
+//! F = (F_loading + F_unloading)/2 + clamp(v/v_e, −1, 1) (F_loading − F_unloading)/2
+//! ```
+
+use numerics::LinearTable;
+
+use crate::draft_gear::{Curve, Side};
+
+/// What the gears do in one direction.
+#[derive(Clone, Debug)]
+pub(crate) struct ConnectionSide {
+    locked_stiffness: f64,
+    locked_flexibility: f64,
+    damping: f64,
+    transition_speed: f64,
+    orifice: Option<LinearTable>,
+    loading: Curve,
+    /// Deflections behind the slack at which the pieces begin.
+    begins: Vec<f64>,
+    pieces: Vec<Piece>,
+    /// Piece of the last lookup.
+    index: usize,
+}
+
+/// A piece of deflection over which both curves are straight.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    /// Forces at the beginning of the piece, N, and their slopes, N/m.
+    loading: f64,
+    loading_slope: f64,
+    unloading: f64,
+    unloading_slope: f64,
+    /// Deflection that friction holds when the force is taken away from the unloading curve at
+    /// the beginning of the piece, m.
+    held: f64,
+    /// Energy that is stored then, J.
+    held_energy: f64,
+    /// Slope of the unloading curve over the held deflection, N/m.
+    held_slope: f64,
+    /// Energy under the mean of both curves up to the beginning of the piece, J.
+    mean_energy: f64,
+}
+
+impl ConnectionSide {
+    /// What two gears in series do.
+    pub fn new(gear: Side) -> Self {
+        let ends = gear.loading.points().iter().chain(gear.unloading.points());
+        let mut begins: Vec<f64> = ends.map(|point| point.0).collect();
+        begins.sort_by(f64::total_cmp);
+        begins.dedup();
+        Self {
+            locked_stiffness: gear.locked_stiffness,
+            locked_flexibility: 1.0 / gear.locked_stiffness,
+            damping: gear.damping,
+            transition_speed: gear.transition_speed,
+            pieces: pieces(&gear, &begins),
+            begins,
+            orifice: gear.orifice,
+            loading: gear.loading,
+            index: 0,
+        }
+    }
+
+    /// Deflection on the loading curve at a force, m.
+    pub fn loaded_to(&self, force: f64) -> f64 {
+        self.loading.deflection(force)
+    }
+
+    /// Force after a move by `moved`, m, to the deflection `beyond` at a speed of being pushed in,
+    /// m/s, from the force `before`, N.
+    #[inline]
+    pub fn force(&mut self, before: f64, moved: f64, beyond: f64, speed: f64) -> f64 {
+        let (least, most) = self.band(beyond);
+        if self.transition_speed > 0.0 {
+            let share = (speed / self.transition_speed).clamp(-1.0, 1.0);
+            return (most + least + share * (most - least)) / 2.0;
+        }
+        let trial = before + self.locked_stiffness * moved;
+        match &self.orifice {
+            None => trial.max(least).min(most),
+            Some(orifice) => {
+                let cushion = orifice.value(beyond, &mut 0) * speed * speed;
+                match speed > 0.0 {
+                    true => trial.max(least).min(most + cushion),
+                    false => trial.max((least - cushion).max(0.0)).min(most),
+                }
+            }
+        }
+    }
+
+    /// Force of the damping at a speed, m/s, in N.
+    pub fn damping_force(&self, speed: f64) -> f64 {
+        self.damping * speed
+    }
+
+    /// Energy that the gears give back when they are let go, J (theory, eq. 8); with a transition
+    /// speed, what they give back when they are let go slowly.
+    #[inline]
+    pub fn stored_energy(&self, force: f64, beyond: f64) -> f64 {
+        if self.transition_speed > 0.0 {
+            let after = self.begins.partition_point(|begin| *begin <= beyond);
+            let piece = &self.pieces[after.saturating_sub(1)];
+            let distance = (beyond - self.begins[after.saturating_sub(1)]).max(0.0);
+            let mean = (piece.loading + piece.unloading) / 2.0;
+            let slope = (piece.loading_slope + piece.unloading_slope) / 2.0;
+            return piece.mean_energy + distance * (mean + slope * distance / 2.0);
+        }
+        let elastic = force * self.locked_flexibility;
+        let held = beyond - elastic;
+        if held <= 0.0 {
+            return force * elastic / 2.0;
+        }
+        let piece = self.piece_held_at(held);
+        let past = held - piece.held;
+        let mean_force = piece.unloading + piece.held_slope * past / 2.0;
+        piece.held_energy + past * mean_force + force * elastic / 2.0
+    }
+
+    /// Greatest stiffness, N/m, and damping, N s/m, that the law can have at a speed of the gears
+    /// up to `speed`, m/s: what limits the step.
+    pub fn stiffest(&self, speed: f64) -> (f64, f64) {
+        let orifice = self.orifice.iter().flat_map(|orifice| orifice.y());
+        let cushion = 2.0 * speed * orifice.fold(0.0, |a: f64, b| a.max(*b));
+        if self.transition_speed == 0.0 {
+            return (self.locked_stiffness, self.damping + cushion);
+        }
+        let steepest = self.pieces.iter().fold(0.0, |a: f64, piece| a.max(piece.loading_slope));
+        let gap =
+            self.pieces.iter().fold(0.0, |a: f64, piece| a.max(piece.loading - piece.unloading));
+        (steepest, self.damping + cushion + gap / (2.0 * self.transition_speed))
+    }
+
+    /// The piece whose unloading curve is met from a held deflection, searched from the piece of
+    /// the last lookup.
+    #[inline]
+    fn piece_held_at(&self, held: f64) -> &Piece {
+        let mut i = self.index;
+        while i > 0 && held < self.pieces[i].held {
+            i -= 1;
+        }
+        while i + 1 < self.pieces.len() && held >= self.pieces[i + 1].held {
+            i += 1;
+        }
+        &self.pieces[i]
+    }
+
+    /// Force of the unloading and of the loading curve at a deflection behind the slack.
+    #[inline]
+    fn band(&mut self, beyond: f64) -> (f64, f64) {
+        let last = self.begins.len() - 1;
+        self.index = match beyond >= self.begins[last] {
+            true => last,
+            false => numerics::interval(&self.begins, beyond, self.index),
+        };
+        let piece = &self.pieces[self.index];
+        let distance = beyond - self.begins[self.index];
+        (
+            piece.unloading + distance * piece.unloading_slope,
+            piece.loading + distance * piece.loading_slope,
+        )
+    }
+}
+
+/// The pieces between the deflections `begins`, and the one beyond the last.
+fn pieces(gear: &Side, begins: &[f64]) -> Vec<Piece> {
+    let slope = |curve: &Curve, i: usize| match begins.get(i + 1) {
+        Some(end) => (curve.force(*end) - curve.force(begins[i])) / (end - begins[i]),
+        None => curve.end_stiffness(),
+    };
+    let mut pieces: Vec<Piece> = Vec::with_capacity(begins.len());
+    for (i, &begin) in begins.iter().enumerate() {
+        let (loading, unloading) = (gear.loading.force(begin), gear.unloading.force(begin));
+        let held = begin - unloading / gear.locked_stiffness;
+        let (held_energy, mean_energy) = match pieces.last() {
+            None => (0.0, 0.0),
+            Some(before) => {
+                let mean = (before.unloading + unloading) / 2.0;
+                let both = (mean + (before.loading + loading) / 2.0) / 2.0;
+                (
+                    before.held_energy + mean * (held - before.held),
+                    before.mean_energy + both * (begin - begins[i - 1]),
+                )
+            }
+        };
+        let unloading_slope = slope(&gear.unloading, i);
+        pieces.push(Piece {
+            loading,
+            loading_slope: slope(&gear.loading, i),
+            unloading,
+            unloading_slope,
+            held,
+            held_energy,
+            held_slope: unloading_slope / (1.0 - unloading_slope / gear.locked_stiffness),
+            mean_energy,
+        });
+    }
+    pieces
+}

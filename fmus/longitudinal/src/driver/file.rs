@@ -1,0 +1,101 @@
+//! The driver file.
+
+use std::path::Path;
+
+use serde::Deserialize;
+use stock::{Check, StockError};
+
+use super::cruise::{Cruise, Gains, SpeedFile};
+use super::fuzzy::{Fuzzy, FuzzyFile};
+use super::levers::Levers;
+use super::profile::ProfileFile;
+use super::remote::RemoteFile;
+use super::replay::ReplayFile;
+use super::schedule::Entry;
+use super::{Driver, Kind, Schedule};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DriverFile {
+    #[serde(default = "yes")]
+    initially_applied: bool,
+    #[serde(default)]
+    command: Vec<Entry>,
+    #[serde(default)]
+    profile: Vec<ProfileFile>,
+    #[serde(default)]
+    remote: Vec<RemoteFile>,
+    speed: Option<SpeedFile>,
+    cruise: Option<Gains>,
+    fuzzy: Option<FuzzyFile>,
+    #[serde(default)]
+    levers: Levers,
+    replay: Option<ReplayFile>,
+}
+
+fn yes() -> bool {
+    true
+}
+
+impl Driver {
+    /// Reads a driver file.
+    ///
+    /// # Errors
+    /// When the file cannot be read or a value in it is not possible.
+    pub fn from_file(file: &Path) -> Result<Self, StockError> {
+        let content: DriverFile = stock::read_toml(file)?;
+        let name = file.display().to_string();
+        let check = Check::new(&name);
+        let numbered = |section: &str, i: usize| check.section(&format!("{section}[{}]", i + 1));
+        let profiles = content.profile.iter().enumerate();
+        let remotes = content.remote.iter().enumerate();
+        Ok(Self {
+            initially_applied: content.initially_applied,
+            kind: content.kind(&check, file.parent().unwrap_or(Path::new("")))?,
+            profiles: profiles
+                .map(|(i, profile)| profile.compile(&numbered("profile", i)))
+                .collect::<Result<_, _>>()?,
+            remotes: remotes
+                .map(|(i, remote)| remote.compile(&numbered("remote", i)))
+                .collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+impl DriverFile {
+    fn kind(&self, check: &Check, folder: &Path) -> Result<Kind, StockError> {
+        let sections = [
+            ("command", !self.command.is_empty()),
+            ("cruise", self.cruise.is_some()),
+            ("fuzzy", self.fuzzy.is_some()),
+            ("replay", self.replay.is_some()),
+        ];
+        let given: Vec<&str> = sections.iter().filter(|s| s.1).map(|s| s.0).collect();
+        if let [first, second, ..] = given[..] {
+            let wanted = format!("a driver is of one kind; leave it or {first} out");
+            return Err(check.error(second, "given", wanted));
+        }
+        let levers = &check.section("levers");
+        self.levers.check(levers)?;
+        let speed = || match &self.speed {
+            Some(speed) => speed.compile(&check.section("speed")),
+            None => {
+                let wanted = "this driver needs [speed] with the speed to keep to";
+                Err(check.error("speed", "none", wanted))
+            }
+        };
+        let levers = self.levers.clone();
+        if let Some(gains) = &self.cruise {
+            gains.check(&check.section("cruise"))?;
+            return Ok(Kind::Cruise(Cruise { gains: gains.clone(), speed: speed()?, levers }));
+        }
+        if let Some(rules) = &self.fuzzy {
+            rules.check(&check.section("fuzzy"))?;
+            return Ok(Kind::Fuzzy(Fuzzy { rules: rules.clone(), speed: speed()?, levers }));
+        }
+        if let Some(replay) = &self.replay {
+            return Ok(Kind::Replay(replay.compile(&check.section("replay"), folder)?));
+        }
+        Ok(Kind::Schedule(Schedule::compile(&self.command, check)?))
+    }
+}

@@ -1,0 +1,125 @@
+//! A driver who keeps a speed profile by fuzzy rules.
+//!
+//! A Takagi-Sugeno controller of order zero. The speed error is *much too fast*, *too fast*, *right*,
+//! *too slow* or *much too slow*, the acceleration *falling*, *steady* or *rising*, each to a degree
+//! by triangles that add up to one. Each pair has a change of the lever per second; what is done is
+//! their mean weighted by the product of the degrees. The lever goes from full service (−2) over full
+//! dynamic brake (−1) and coasting (0) to the highest notch (1).
+//!
+//! ```toml
+//! [speed]                      # as for [cruise]
+//! chainage_m = [0.0, 5000.0]
+//! kmh = [60.0, 60.0]
+//! [fuzzy]                      # these are the defaults
+//! error_kmh = 5.0              # much too fast or slow
+//! acceleration_m_per_s2 = 0.05 # falling or rising
+//! rate_per_s = 0.05            # greatest change of the lever
+//! ```
+
+use numerics::LinearTable;
+use serde::Deserialize;
+use stock::{Check, StockError};
+
+use super::levers::{Levers, Wanted};
+use super::{Command, DriverState, View};
+
+/// Kilometres per hour in a metre per second.
+const KMH: f64 = 3.6;
+
+/// Change of the lever, of its greatest rate: rows from much too fast to much too slow, columns
+/// falling, steady, rising.
+const RULES: [[f64; 3]; 5] =
+    [[-0.6, -1.0, -1.0], [0.0, -0.4, -0.8], [0.3, 0.0, -0.3], [0.8, 0.4, 0.0], [1.0, 1.0, 0.6]];
+
+/// A driver with fuzzy rules.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fuzzy {
+    pub(super) rules: FuzzyFile,
+    pub(super) speed: LinearTable,
+    pub(super) levers: Levers,
+}
+
+/// Section `[fuzzy]`.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(super) struct FuzzyFile {
+    error_kmh: f64,
+    acceleration_m_per_s2: f64,
+    rate_per_s: f64,
+}
+
+impl Default for FuzzyFile {
+    fn default() -> Self {
+        Self { error_kmh: 5.0, acceleration_m_per_s2: 0.05, rate_per_s: 0.05 }
+    }
+}
+
+impl FuzzyFile {
+    pub(super) fn check(&self, check: &Check) -> Result<(), StockError> {
+        check.between("error_kmh", self.error_kmh, 0.1, 100.0)?;
+        check.between("acceleration_m_per_s2", self.acceleration_m_per_s2, 0.001, 10.0)?;
+        check.between("rate_per_s", self.rate_per_s, 0.001, 10.0)
+    }
+}
+
+/// Degrees of `N` triangles with their tops evenly from −1 to 1.
+fn degrees<const N: usize>(value: f64) -> [f64; N] {
+    let place = (value.clamp(-1.0, 1.0) + 1.0) / 2.0 * (N - 1) as f64;
+    std::array::from_fn(|i| (1.0 - (place - i as f64).abs()).max(0.0))
+}
+
+/// Change of the lever, of its greatest rate, for a speed error and an acceleration, both in terms of
+/// the greatest that the rules know.
+fn change(error: f64, acceleration: f64) -> f64 {
+    let (errors, accelerations) = (degrees::<5>(error), degrees::<3>(acceleration));
+    let mut change = 0.0;
+    for (row, e) in RULES.iter().zip(errors) {
+        for (rule, a) in row.iter().zip(accelerations) {
+            change += rule * e * a;
+        }
+    }
+    change
+}
+
+impl Fuzzy {
+    pub(super) fn command(&self, state: &mut DriverState, view: &View) -> Command {
+        state.target_speed = self.speed.value(view.chainage, &mut 0);
+        let Some((train, now)) = view.train else { return state.levers.command };
+        if !self.levers.looks(&mut state.levers, view.time) {
+            return state.levers.command;
+        }
+        let error = (state.target_speed - view.velocity) * KMH / self.rules.error_kmh;
+        let leader = train.vehicles()[0].acceleration(&now.vehicles[0]);
+        let rate = self.rules.rate_per_s * change(error, leader / self.rules.acceleration_m_per_s2);
+        let lever = (state.levers.lever + rate * self.levers.interval()).clamp(-2.0, 1.0);
+        state.levers.lever = lever;
+        let wanted = Wanted {
+            throttle: lever.max(0.0),
+            dynamic_brake: (-lever).clamp(0.0, 1.0),
+            train_brake: (-lever - 1.0).max(0.0),
+        };
+        self.levers.follow(&mut state.levers, &wanted)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_degrees_add_up_to_one() {
+        for value in [-3.0, -1.0, -0.7, 0.0, 0.2, 1.0] {
+            let sum: f64 = degrees::<5>(value).into_iter().sum();
+            assert!((sum - 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn analytic_rules_at_their_tops_and_halfway() {
+        assert_eq!(change(0.0, 0.0), 0.0);
+        assert_eq!(change(1.0, 0.0), 1.0);
+        assert!((change(0.25, 0.0) - 0.2).abs() < 1e-15);
+        // A train that is too slow but gains speed enough is left alone.
+        assert_eq!(change(0.5, 1.0), 0.0);
+    }
+}

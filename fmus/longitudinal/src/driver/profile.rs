@@ -1,0 +1,77 @@
+//! One lever by a table over time or place.
+//!
+//! ```toml
+//! [[profile]]
+//! lever = "throttle"           # throttle, dynamic_brake, train_brake or locomotive_brake
+//! chainage_m = [0.0, 804.7, 1109.5]   # of the leading vehicle's middle; or time_s
+//! value = [0.5, 0.5, 0.75]     # linear between the points, constant outside
+//! ```
+
+use numerics::LinearTable;
+use serde::Deserialize;
+use stock::{Check, StockError};
+
+use super::{Command, View};
+use crate::brake::EMERGENCY;
+use crate::traction::HIGHEST_NOTCH;
+
+/// Table of one lever.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Profile {
+    lever: Lever,
+    by_time: bool,
+    table: LinearTable,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Lever {
+    Throttle,
+    DynamicBrake,
+    TrainBrake,
+    LocomotiveBrake,
+}
+
+/// One `[[profile]]` of a driver file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ProfileFile {
+    lever: Lever,
+    time_s: Option<Vec<f64>>,
+    chainage_m: Option<Vec<f64>>,
+    value: Vec<f64>,
+}
+
+impl ProfileFile {
+    pub(super) fn compile(&self, check: &Check) -> Result<Profile, StockError> {
+        let (key, x) = match (&self.time_s, &self.chainage_m) {
+            (Some(times), None) => ("time_s", times),
+            (None, Some(chainages)) => ("chainage_m", chainages),
+            _ => {
+                let wanted = "a profile needs either time_s or chainage_m";
+                return Err(check.error("chainage_m", "none or both", wanted));
+            }
+        };
+        let greatest = if self.lever == Lever::TrainBrake { EMERGENCY } else { 1.0 };
+        for (i, &value) in self.value.iter().enumerate() {
+            check.between(&format!("value[{}]", i + 1), value, 0.0, greatest)?;
+        }
+        let table = LinearTable::new(x.clone(), self.value.clone())
+            .map_err(|error| check.error(key, format!("{} values", x.len()), error.to_string()))?;
+        Ok(Profile { lever: self.lever, by_time: key == "time_s", table })
+    }
+}
+
+impl Profile {
+    /// Moves the lever to where the table has it.
+    pub(super) fn apply(&self, command: &mut Command, view: &View) {
+        let at = if self.by_time { view.time } else { view.chainage };
+        let value = self.table.value(at, &mut 0);
+        match self.lever {
+            Lever::Throttle => command.notch = value * HIGHEST_NOTCH,
+            Lever::DynamicBrake => command.dynamic_brake = value,
+            Lever::TrainBrake => command.train_brake = value,
+            Lever::LocomotiveBrake => command.locomotive_brake = value,
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Distributed power: remote groups of locomotives with a delay or commands of their own.
+//!
+//! ```toml
+//! [[remote]]
+//! group = 1                    # of the consist file
+//! delay_s = 1.5                # behind the leading group
+//! [[remote.command]]           # left out: the group does what the leading one does
+//! from_s = 0.0
+//! notch = 4.0
+//! ```
+
+use serde::{Deserialize, Serialize};
+use stock::{Check, StockError};
+
+use super::schedule::Entry;
+use super::{Command, Schedule, View};
+use crate::history::History;
+
+/// A remote group.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Remote {
+    pub(super) group: usize,
+    delay: f64,
+    own: Option<Schedule>,
+}
+
+/// One `[[remote]]` of a driver file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RemoteFile {
+    group: usize,
+    #[serde(default)]
+    delay_s: f64,
+    #[serde(default)]
+    command: Vec<Entry>,
+}
+
+/// What has gone over the radio.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RadioState {
+    /// What the leading group was told.
+    sent: History<Command>,
+    /// For each remote group: changes received, and commands of its own that have come.
+    received: Vec<(u64, usize)>,
+}
+
+impl RemoteFile {
+    pub(super) fn compile(&self, check: &Check) -> Result<Remote, StockError> {
+        check.between("delay_s", self.delay_s, 0.0, 60.0)?;
+        if self.group == 0 {
+            let wanted = "group 0 is the leading one; remote groups count from 1";
+            return Err(check.error("group", self.group, wanted));
+        }
+        let own = match self.command.is_empty() {
+            true => None,
+            false => Some(Schedule::compile(&self.command, check)?),
+        };
+        Ok(Remote { group: self.group, delay: self.delay_s, own })
+    }
+}
+
+impl RadioState {
+    pub(super) fn new(remotes: &[Remote]) -> Self {
+        let longest = remotes.iter().map(|remote| remote.delay).fold(0.0, f64::max);
+        Self {
+            sent: History::new(longest, Command::default()),
+            received: vec![(0, 0); remotes.len()],
+        }
+    }
+
+    /// Tells the remote groups what the leading one does; the first command counts as told long
+    /// ago.
+    pub(super) fn send(&mut self, time: f64, command: Command) {
+        let first = self.sent.count() == 1;
+        self.sent.note(if first { f64::NEG_INFINITY } else { time }, command, first);
+    }
+}
+
+impl Remote {
+    /// What the group with the place `i` among the remote ones does.
+    pub(super) fn command(&self, radio: &mut RadioState, i: usize, view: &View) -> Command {
+        let (received, reached) = &mut radio.received[i];
+        let heard = view.time - self.delay;
+        if let Some(own) = &self.own {
+            return own.command(reached, heard, view.chainage);
+        }
+        while *received + 1 < radio.sent.count() && radio.sent.change(*received + 1).0 <= heard {
+            *received += 1;
+        }
+        radio.sent.change(*received).1
+    }
+}

@@ -1,0 +1,257 @@
+//! A driver who repeats what a locomotive's logger has recorded.
+//!
+//! ```toml
+//! [replay]
+//! file = "logger.csv"          # beside the driver file, or with its whole path
+//! time = "Time (s)"            # names of the columns; the times must rise
+//! speed = "GPS speed"          # measured speed, compared with the simulated one
+//! speed_unit = "km/h"          # or "m/s", "mph"
+//! throttle = "Notch"           # any of throttle, dynamic_brake, train_brake, locomotive_brake
+//! throttle_full = 8.0          # value of the column for the whole of it; likewise for the others
+//! resample = "hold"            # or "linear"
+//! longest_gap_s = 10.0
+//! ```
+//!
+//! The first time in the file is the start of the run. Before and after the file its first and last
+//! row hold.
+
+use std::path::Path;
+
+use numerics::LinearTable;
+use serde::Deserialize;
+use stock::{Check, StockError};
+
+use super::Command;
+use crate::brake::EMERGENCY;
+use crate::traction::HIGHEST_NOTCH;
+
+/// Recorded commands and speed.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Replay {
+    /// Times from the start of the record, s.
+    times: Vec<f64>,
+    /// Measured speed, m/s.
+    speed: LinearTable,
+    throttle: Column,
+    dynamic_brake: Column,
+    train_brake: Column,
+    locomotive_brake: Column,
+}
+
+/// A lever over the time.
+#[derive(Clone, Debug, PartialEq)]
+enum Column {
+    /// Each value holds until the next one.
+    Hold(Vec<f64>),
+    Linear(LinearTable),
+    /// Not recorded.
+    Zero,
+}
+
+/// Section `[replay]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ReplayFile {
+    file: String,
+    time: String,
+    speed: String,
+    #[serde(default)]
+    speed_unit: SpeedUnit,
+    throttle: Option<String>,
+    #[serde(default = "highest_notch")]
+    throttle_full: f64,
+    dynamic_brake: Option<String>,
+    #[serde(default = "one")]
+    dynamic_brake_full: f64,
+    train_brake: Option<String>,
+    #[serde(default = "one")]
+    train_brake_full: f64,
+    locomotive_brake: Option<String>,
+    #[serde(default = "one")]
+    locomotive_brake_full: f64,
+    #[serde(default)]
+    resample: Resample,
+    #[serde(default = "ten")]
+    longest_gap_s: f64,
+}
+
+#[derive(Clone, Copy, Default, Deserialize)]
+enum SpeedUnit {
+    #[default]
+    #[serde(rename = "km/h")]
+    Kmh,
+    #[serde(rename = "m/s")]
+    MetrePerSecond,
+    #[serde(rename = "mph")]
+    Mph,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Resample {
+    #[default]
+    Hold,
+    Linear,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn ten() -> f64 {
+    10.0
+}
+
+fn highest_notch() -> f64 {
+    HIGHEST_NOTCH
+}
+
+/// The rows of a logger's file.
+struct Table<'a> {
+    check: Check<'a>,
+    names: csv::StringRecord,
+    /// Line in the file and values.
+    rows: Vec<(u64, csv::StringRecord)>,
+}
+
+impl ReplayFile {
+    pub(super) fn compile(&self, check: &Check, folder: &Path) -> Result<Replay, StockError> {
+        let path = folder.join(&self.file);
+        let name = path.display().to_string();
+        let table = Table::read(&path, &name, check)?;
+        let mut times = table.column("time", &self.time)?;
+        let start = times[0];
+        times.iter_mut().for_each(|time| *time -= start);
+        self.check_times(&times, &table)?;
+
+        let unit = match self.speed_unit {
+            SpeedUnit::Kmh => 3.6,
+            SpeedUnit::MetrePerSecond => 1.0,
+            SpeedUnit::Mph => 1.0 / 0.447_04,
+        };
+        let linear = |values: Vec<f64>| {
+            LinearTable::new(times.clone(), values)
+                .map_err(|error| table.check.error("rows", times.len(), error.to_string()))
+        };
+        let lever = |key: &str, column: &Option<String>, full: f64, most: f64| {
+            check.positive(&format!("{key}_full"), full)?;
+            let Some(column) = column else { return Ok(Column::Zero) };
+            let values: Vec<f64> =
+                table.column(key, column)?.into_iter().map(|value| value / full).collect();
+            if let Some(i) = values.iter().position(|value| !(0.0..=most).contains(value)) {
+                let wanted = format!("must lie between 0 and {}", most * full);
+                return Err(table.error(i, column, values[i] * full, wanted));
+            }
+            match self.resample {
+                Resample::Hold => Ok(Column::Hold(values)),
+                Resample::Linear => linear(values).map(Column::Linear),
+            }
+        };
+        Ok(Replay {
+            speed: linear(table.column("speed", &self.speed)?.iter().map(|v| v / unit).collect())?,
+            throttle: lever("throttle", &self.throttle, self.throttle_full, 1.0)?,
+            dynamic_brake: lever(
+                "dynamic_brake",
+                &self.dynamic_brake,
+                self.dynamic_brake_full,
+                1.0,
+            )?,
+            train_brake: lever("train_brake", &self.train_brake, self.train_brake_full, EMERGENCY)?,
+            locomotive_brake: lever(
+                "locomotive_brake",
+                &self.locomotive_brake,
+                self.locomotive_brake_full,
+                1.0,
+            )?,
+            times,
+        })
+    }
+
+    /// The times must rise, without gaps.
+    fn check_times(&self, times: &[f64], table: &Table) -> Result<(), StockError> {
+        for i in 1..times.len() {
+            let gap = times[i] - times[i - 1];
+            if gap <= 0.0 {
+                let wanted = "goes back: it must be later than the time before it";
+                return Err(table.error(i, &self.time, times[i], wanted));
+            }
+            if gap > self.longest_gap_s {
+                let wanted = format!(
+                    "a gap of {gap} s before this row is longer than longest_gap_s = {}",
+                    self.longest_gap_s
+                );
+                return Err(table.error(i, &self.time, times[i], wanted));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<'a> Table<'a> {
+    fn read(path: &Path, name: &'a str, check: &Check) -> Result<Self, StockError> {
+        let failed = |error: csv::Error| check.error("file", name, error.to_string());
+        let mut reader =
+            csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(path).map_err(failed)?;
+        let names = reader.headers().map_err(failed)?.clone();
+        let mut rows = vec![];
+        for record in reader.into_records() {
+            let record = record.map_err(failed)?;
+            let line = record.position().map_or(0, csv::Position::line);
+            rows.push((line, record));
+        }
+        match rows.is_empty() {
+            true => Err(check.error("file", name, "has no rows behind its names")),
+            false => Ok(Self { check: Check::new(name), names, rows }),
+        }
+    }
+
+    fn error(
+        &self,
+        row: usize,
+        column: &str,
+        value: impl ToString,
+        wanted: impl Into<String>,
+    ) -> StockError {
+        self.check.error(&format!("line {}, column {column}", self.rows[row].0), value, wanted)
+    }
+
+    /// The numbers of the column `name`, which the key of the driver file names.
+    fn column(&self, key: &str, name: &str) -> Result<Vec<f64>, StockError> {
+        let Some(place) = self.names.iter().position(|own| own == name) else {
+            let names: Vec<&str> = self.names.iter().collect();
+            let wanted = format!("no column of the logger's file has this name; it has {names:?}");
+            return Err(self.check.error(key, name, wanted));
+        };
+        let number = |(row, (_, record)): (usize, &(u64, csv::StringRecord))| {
+            let text = record.get(place).unwrap_or_default();
+            match text.parse::<f64>() {
+                Ok(value) if value.is_finite() => Ok(value),
+                _ => Err(self.error(row, name, format!("\"{text}\""), "must be a number")),
+            }
+        };
+        self.rows.iter().enumerate().map(number).collect()
+    }
+}
+
+impl Replay {
+    /// The measured speed at a time, m/s.
+    pub(super) fn speed(&self, time: f64) -> f64 {
+        self.speed.value(time, &mut 0)
+    }
+
+    /// The command that was recorded for a time, s.
+    pub(super) fn command(&self, time: f64) -> Command {
+        let row = self.times.partition_point(|begin| *begin <= time).saturating_sub(1);
+        let at = |column: &Column| match column {
+            Column::Zero => 0.0,
+            Column::Hold(values) => values[row],
+            Column::Linear(table) => table.value(time, &mut 0),
+        };
+        Command {
+            notch: at(&self.throttle) * HIGHEST_NOTCH,
+            dynamic_brake: at(&self.dynamic_brake),
+            train_brake: at(&self.train_brake),
+            locomotive_brake: at(&self.locomotive_brake),
+        }
+    }
+}

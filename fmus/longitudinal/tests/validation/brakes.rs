@@ -1,0 +1,176 @@
+//! Air brake, locomotive brake, hand brakes and the heat of the wheels.
+
+use longitudinal::driver::Command;
+use longitudinal::{BuildError, Couplers, TrainDynamics, TrainState};
+use stock::{Consist, Vehicle};
+use track::Track;
+
+use crate::support::*;
+
+/// The application of a full service fills the cylinder evenly in 10 s, an emergency in 4 s.
+const AIR: &str = "[brake]\ncontrol = 'air'\n[brake.air]\n\
+    service_wave_m_per_s = 250\nrelease_wave_m_per_s = 200\nemergency_wave_m_per_s = 280\n\
+    build_up = { time_s = [0, 10], fraction = [0, 1] }\n\
+    emergency_build_up = { time_s = [0, 4], fraction = [0, 1] }\n\
+    release = { time_s = [0, 20], fraction = [0, 1] }\n";
+
+fn air_train(locomotives: &[usize], count: usize, more: &str) -> TrainDynamics {
+    let vehicles: Vec<Vehicle> = (0..count)
+        .map(|i| match locomotives.contains(&i) {
+            true => vehicle_of(&format!("{more}{AIR}")),
+            false => vehicle_of(&format!("without = ['traction', 'dynamic_brake']\n{more}{AIR}")),
+        })
+        .collect();
+    train(&vehicles, &friction_gear(), Track::straight())
+}
+
+/// First time at which each vehicle's cylinder is no longer what it was at the start.
+fn first_changes(train: &mut TrainDynamics, state: &mut TrainState, command: &Command) -> Vec<f64> {
+    let before: Vec<f64> = state.vehicles.iter().map(|v| v.brake.cylinder).collect();
+    let mut times = vec![f64::NAN; before.len()];
+    for k in 1..=20_000 {
+        train.advance(state, command, 1e-3);
+        for (i, time) in times.iter_mut().enumerate() {
+            if time.is_nan() && state.vehicles[i].brake.cylinder != before[i] {
+                *time = f64::from(k) * 1e-3;
+            }
+        }
+        if times.iter().all(|time| time.is_finite()) {
+            break;
+        }
+    }
+    times
+}
+
+/// The wave comes to a vehicle after its distance from the locomotive over its speed, for service
+/// (250 m/s), emergency (280) and release (200).
+#[test]
+fn analytic_air_brake_wave_runs_along_the_train() {
+    for (from, to, wave) in [(0.0, 0.5, 250.0), (0.0, 1.2, 280.0), (0.8, 0.3, 200.0)] {
+        let mut train = air_train(&[0], 60, "");
+        let mut state = start(&mut train, 15.0, Couplers::InBalance, train_brake(from));
+        let times = first_changes(&mut train, &mut state, &train_brake(to));
+        for i in [1, 20, 59] {
+            Row {
+                case: &format!("brake {from} to {to} is felt by vehicle {}", i + 1),
+                value: times[i],
+                expected: 20.0 * i as f64 / wave,
+                unit: "s",
+                source: "distance over the speed of the wave",
+                tolerance: (2.1e-3, "two steps of 1 ms"),
+            }
+            .holds();
+        }
+    }
+}
+
+/// Locomotives in the middle vent the pipe there, too.
+#[test]
+fn analytic_air_brake_listens_to_the_nearest_locomotive() {
+    let mut train = air_train(&[0, 40], 60, "");
+    let mut state = start(&mut train, 15.0, Couplers::InBalance, Command::default());
+    let times = first_changes(&mut train, &mut state, &train_brake(1.0));
+    for (i, distance) in [(19, 380.0), (21, 380.0), (41, 20.0), (59, 380.0)] {
+        assert!((times[i] - distance / 250.0).abs() < 2.1e-3, "{i}: {}", times[i]);
+    }
+}
+
+/// Cylinder after times, s, by hand from the even curves.
+#[test]
+fn analytic_air_brake_fills_and_empties_along_its_curves() {
+    let graduated = format!("{AIR}graduated_release = true\n");
+    for (air, released_to) in [(AIR, 0.0), (&graduated, 0.3)] {
+        let vehicle = vehicle_of(air);
+        let mut train = train(&[vehicle], &friction_gear(), Track::straight());
+        let mut state = start(&mut train, 15.0, Couplers::Unstressed, Command::default());
+        let mut after = |command: f64, time: f64, expected: f64| {
+            train.advance(&mut state, &train_brake(command), time);
+            let cylinder = state.vehicles[0].brake.cylinder;
+            // 1 ms until the command is heard, of 4 s.
+            assert!((cylinder - expected).abs() < 5e-4, "{cylinder} {expected}");
+        };
+        after(0.6, 4.0, 0.4);
+        after(0.6, 4.0, 0.6);
+        after(0.3, 2.0, 0.5);
+        after(0.3, 12.0, released_to);
+        after(1.2, 4.0, (released_to + 1.2_f64).min(1.2));
+        after(0.0, 30.0, 0.0);
+    }
+}
+
+/// All brakes press the same shoes: the strongest counts.
+#[test]
+fn analytic_locomotive_brake_and_hand_brake() {
+    let text = "[locomotive_brake]\nnet_braking_ratio = 0.2\nbuild_up_s = 4\nrelease_s = 8\n\
+                [hand_brake]\nnet_braking_ratio = 0.05";
+    let locomotive = vehicle_of(text);
+    let mut train = train(&[locomotive], &friction_gear(), Track::straight());
+    let command = |locomotive_brake: f64| Command { locomotive_brake, ..Command::default() };
+    let mut state = start(&mut train, 15.0, Couplers::Unstressed, command(0.0));
+    train.advance(&mut state, &command(1.0), 3.0);
+    assert!((state.vehicles[0].brake.locomotive_cylinder - 0.75).abs() < 1e-9);
+    let friction = state.vehicles[0].forces.brake / (134e3 * 9.80665 * 0.2 * 0.75);
+    assert!((0.3..0.56).contains(&friction), "friction of the shoes: {friction}");
+    train.advance(&mut state, &command(0.5), 3.0);
+    assert!((state.vehicles[0].brake.locomotive_cylinder - 0.5).abs() < 1e-9);
+}
+
+#[test]
+fn analytic_hand_brakes_hold_a_train_that_nothing_else_holds() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../stock");
+    for part in ["vehicles", "draft_gears"] {
+        std::fs::create_dir(folder.path().join(part)).unwrap();
+        for file in std::fs::read_dir(root.join(part)).unwrap() {
+            let file = file.unwrap();
+            std::fs::copy(file.path(), folder.path().join(part).join(file.file_name())).unwrap();
+        }
+    }
+    let text = "extends = 'wagon-coco-134t-unpowered'\n[hand_brake]\nnet_braking_ratio = 0.1";
+    std::fs::write(folder.path().join("vehicles/held.toml"), text).unwrap();
+    let library = stock::Library::open(folder.path()).unwrap();
+    let build = |text: &str| {
+        let consist = Consist::from_toml(text, "consist.toml").unwrap();
+        TrainDynamics::from_consist(&consist, &library, gradient(-20.0))
+    };
+    // 10 held wagons of 20 have 0.05 · 0.5568 of the weight: 27.8 permille, and 20 pull.
+    for (share, stands) in [(1.0, true), (0.2, false)] {
+        let mut train = build(&format!(
+            "vehicle = [{{ type = 'held', count = 10, hand_brake = {share} }},
+                        {{ type = 'held', count = 10 }}]"
+        ))
+        .unwrap();
+        let mut state = start(&mut train, 0.0, Couplers::InBalance, Command::default());
+        train.advance(&mut state, &Command::default(), 20.0);
+        assert_eq!(state.vehicles.iter().all(|v| v.velocity == 0.0), stands);
+    }
+    let error = build("vehicle = [{ type = 'wagon-coco-134t-unpowered', hand_brake = 1 }]");
+    assert!(matches!(error, Err(BuildError::NoHandBrake { number: 1, .. })));
+}
+
+/// The friction power of all wheels is the work against the brakes, times the wheels' share.
+#[test]
+fn analytic_heat_of_the_wheels_is_the_work_of_the_brakes() {
+    let vehicle = vehicle_of("brake.wheel_heat_share = 0.9");
+    let mut train = train(&vec![vehicle; 3], &friction_gear(), Track::straight());
+    let mut state = start(&mut train, 15.0, Couplers::InBalance, train_brake(0.4));
+    let mut heat = 0.0;
+    let power = |train: &TrainDynamics, state: &TrainState| -> f64 {
+        let pairs = train.vehicles().iter().zip(&state.vehicles);
+        pairs.map(|(vehicle, state)| 12.0 * vehicle.wheel_brake_power(state)).sum()
+    };
+    for _ in 0..10_000 {
+        let before = power(&train, &state);
+        train.advance(&mut state, &train_brake(0.4), 1e-3);
+        heat += (before + power(&train, &state)) / 2.0 * 1e-3;
+    }
+    Row {
+        case: "heat of 36 wheels after 10 s of braking",
+        value: heat,
+        expected: 0.9 * state.work.brake,
+        unit: "J",
+        source: "work against the brakes",
+        tolerance: (1e-9 * heat, "the same trapezoid, other order of the sum"),
+    }
+    .holds();
+}

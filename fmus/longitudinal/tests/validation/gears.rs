@@ -1,0 +1,276 @@
+//! Kinds of draft gears.
+
+use longitudinal::connection::{Connection, ConnectionState};
+use longitudinal::draft_gear::DraftGear;
+use longitudinal::driver::Command;
+use longitudinal::{Couplers, TrainDynamics};
+use track::Track;
+
+use crate::support::*;
+
+/// A spring of 10 MN/m behind a friction wedge with the preload of 50 kN.
+const WEDGE: &str = "name = 'wedge'\nsource = 'test'\n\
+    locked_stiffness_mn_m = 400\nstructure_stiffness_mn_m = 200\n\
+    [loading]\ndeflection_mm = [0, 80]\nforce_kn = [50, 850]\n\
+    [wedge]\nangle_deg = 50\nwedge_friction = 0.1\nhousing_friction = 0.3\n";
+
+const POLYMER: &str = "name = 'polymer'\nsource = 'test'\nloss_percent = 40\n\
+    locked_stiffness_mn_m = 60\nstructure_stiffness_mn_m = 50\n\
+    [loading]\ndeflection_mm = [0, 40, 70]\nforce_kn = [20, 400, 1200]\n";
+
+const CUSHION: &str = "name = 'cushion'\nsource = 'test'\n\
+    structure_stiffness_mn_m = 100\nlocked_stiffness_mn_m = 150\n\
+    [loading]\ndeflection_mm = [0, 250]\nforce_kn = [100, 150]\n\
+    [orifice]\ndeflection_mm = [0, 250]\nresistance_kn_s2_m2 = [300, 900]\n";
+
+const BUFFERS: &str = "name = 'screw coupling'\nsource = 'test'\nloss_percent = 60\n\
+    locked_stiffness_mn_m = 80\nstructure_stiffness_mn_m = 50\n\
+    [loading]\ndeflection_mm = [0, 50]\nforce_kn = [10, 500]\n\
+    [buff]\ncount = 2\nloss_percent = 50\nlocked_stiffness_mn_m = 40\nstructure_stiffness_mn_m = 30\n\
+    [buff.loading]\ndeflection_mm = [0, 105]\nforce_kn = [10, 600]\n";
+
+fn connection(front: &str, rear: &str) -> Connection {
+    let gear = |text: &str| DraftGear::new(&gear_of(text)).unwrap();
+    Connection::new(&gear(front), &gear(rear), 0.0, 20.0)
+}
+
+/// Moves a connection to a deflection, m, at a speed, m/s; gives the greatest force on the way, N.
+fn push(connection: &mut Connection, state: &mut ConnectionState, to: f64, speed: f64) -> f64 {
+    let (from, steps) = (state.deflection, 10_000);
+    let mut greatest = 0.0_f64;
+    for i in 1..=steps {
+        let at = from + (to - from) * f64::from(i) / f64::from(steps);
+        connection.move_to(state, at, speed * (to - from).signum());
+        greatest = greatest.max(state.force.abs());
+    }
+    greatest
+}
+
+/// Forces of a wedge gear pushed in and coming out: spring force times the ratios of the statics
+/// (project reference 2.2), by hand for φ = 50°, μ₁ = 0.1, μ₂ = 0.3.
+#[test]
+fn analytic_wedge_gear_follows_its_statics() {
+    let mut both = connection(WEDGE, WEDGE);
+    let mut state = ConnectionState::default();
+    // Preload comes up over F/K of the structure: each gear's own 40 mm lie behind that.
+    let tan = 50.0_f64.to_radians().tan();
+    let ratio_in = 1.0 / (1.0 - 0.3 * (1.0 - 0.1 * tan) / (tan + 0.1));
+    let ratio_out = 1.0 / (1.0 + 0.3 * (1.0 + 0.1 * tan) / (tan - 0.1));
+    let preloaded = 50e3 * ratio_in / 200e6;
+    push(&mut both, &mut state, -2.0 * (preloaded + 0.040), 0.0);
+    let row = |case: &str, value: f64, expected: f64| {
+        Row {
+            case,
+            value,
+            expected,
+            unit: "N",
+            source: "statics of the wedge",
+            tolerance: (1e-6 * expected, "rounding"),
+        }
+        .holds();
+    };
+    row("wedge gears pushed in by 40 mm each", -state.force, 450e3 * ratio_in);
+    push(&mut both, &mut state, -2.0 * (preloaded + 0.030), 0.0);
+    row("the same coming out to 30 mm each", -state.force, 350e3 * ratio_out);
+    push(&mut both, &mut state, 0.0, 0.0);
+    assert_eq!(state.force, 0.0);
+}
+
+/// Two gears of different kinds in series carry the same force: their deflections add.
+#[test]
+fn analytic_mixed_gears_in_series_add_their_deflections() {
+    let mut mixed = connection(WEDGE, POLYMER);
+    let (mut wedges, mut polymers) = (connection(WEDGE, WEDGE), connection(POLYMER, POLYMER));
+    for force in [-30e3, -200e3, -600e3, -1500e3, 400e3] {
+        let half = |c: &Connection| c.loaded_to(force).deflection / 2.0;
+        let expected = half(&wedges) + half(&polymers);
+        assert!((mixed.loaded_to(force).deflection - expected).abs() < 1e-12);
+        let mut state = ConnectionState::default();
+        push(&mut mixed, &mut state, expected, 0.0);
+        assert!((state.force / force - 1.0).abs() < 1e-9, "{} {force}", state.force);
+    }
+    assert!(wedges.front_loss_share() == 0.5 && polymers.front_loss_share() == 0.5);
+    let share = mixed.front_loss_share();
+    assert!(share > 0.0 && share < 1.0 && share != 0.5);
+    let mut state = ConnectionState::default();
+    push(&mut wedges, &mut state, 0.01, 0.0);
+    push(&mut polymers, &mut state, 0.01, 0.0);
+}
+
+/// Each kind gives back no more than it took, on any path and at any speed.
+#[test]
+fn property_no_kind_of_gear_creates_energy() {
+    for text in [WEDGE, POLYMER, CUSHION, BUFFERS] {
+        let mut connection = connection(text, text);
+        let mut state = ConnectionState::default();
+        let (mut heat, mut seed) = (0.0, 7_u64);
+        for _ in 0..100 {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            let random = (seed >> 40) as f64 / (1_u64 << 24) as f64 - 0.5;
+            push(&mut connection, &mut state, random * 0.2, 0.2);
+            let stored = connection.stored_energy(&state);
+            // 2 J: corners cut by the steps, of 1e5 J that go in and out.
+            assert!(stored >= 0.0 && state.taken - stored >= heat - 2.0, "{text}: {heat}");
+            heat = state.taken - stored;
+        }
+        assert!(heat > 0.0);
+    }
+}
+
+/// A cushion's force at a speed: that of its spring and C (v/2)² of each of two in series, by hand
+/// at 125 mm each: 125 + 600 · 0.5² = 275 kN.
+#[test]
+fn analytic_cushion_resists_with_the_square_of_the_speed() {
+    let mut both = connection(CUSHION, CUSHION);
+    let mut state = ConnectionState::default();
+    // The preload of 100 kN comes up over 1 mm each.
+    push(&mut both, &mut state, -2.0 * 0.126, 1.0);
+    // The orifice is given over the deflection with that millimetre: 602.4 kN s²/m².
+    let expected = 125e3 + 602.4e3 * 0.25;
+    assert!((-state.force / expected - 1.0).abs() < 1e-9, "{}", state.force);
+}
+
+#[test]
+fn analytic_buffers_in_buff_and_coupling_in_draft() {
+    let mut both = connection(BUFFERS, BUFFERS);
+    for (force, stiffness, preload) in
+        [(-500e3, 2.0 * 590e3 / 0.105, 20e3), (300e3, 490e3 / 0.050, 10e3)]
+    {
+        let deflection = both.loaded_to(force).deflection;
+        let structure = if force < 0.0 { 60e6 } else { 50e6 };
+        let each = preload / structure + (force.abs() - preload) / stiffness;
+        assert!((deflection.abs() - 2.0 * each).abs() < 1e-12);
+        let mut state = ConnectionState::default();
+        push(&mut both, &mut state, deflection, 0.0);
+        assert!((state.force / force - 1.0).abs() < 1e-9);
+    }
+}
+
+/// A drawbar is a spring without slack: two vehicles oscillate with ω² = 2 K/m, K of two in series.
+#[test]
+fn analytic_drawbar_between_two_vehicles_oscillates() {
+    let text = "name = 'bar'\nsource = 'test'\n[drawbar]\nstiffness_mn_m = 200\n";
+    let mut vehicles = vec![without_resistance(wagon()); 2];
+    vehicles.iter_mut().for_each(|vehicle| vehicle.coupler.slack_mm = 0.0);
+    let mut train = train(&vehicles, &gear_of(text), Track::straight());
+    let command = Command::default();
+    let mut state = start(&mut train, 10.0, Couplers::Unstressed, command);
+    state.vehicles[0].velocity += 0.1;
+    let (mut crossings, mut times, mut before) = (0, vec![], 0.0);
+    for k in 1..=4000 {
+        train.advance(&mut state, &command, 1e-3);
+        let now = state.connections[0].deflection;
+        if before < 0.0 && now >= 0.0 {
+            crossings += 1;
+            times.push(f64::from(k) * 1e-3 - now / (now - before) * 1e-3);
+        }
+        before = now;
+    }
+    let period = (times[crossings - 1] - times[0]) / (crossings - 1) as f64;
+    let expected = 2.0 * std::f64::consts::PI / (2.0 * 100e6 / 134e3_f64).sqrt();
+    Row {
+        case: "period of two vehicles on a drawbar",
+        value: period,
+        expected,
+        unit: "s",
+        source: "closed form",
+        tolerance: (1e-3 * expected, "(ωh)²/24 = 6e-5 of the step, and its interpolation"),
+    }
+    .holds();
+}
+
+/// A damped elastic connection loses the energy c ω π A² of each period: the amplitude falls with
+/// exp(−c t/m).
+#[test]
+fn analytic_elastic_gear_with_damping() {
+    let text = "name = 'damped'\nsource = 'test'\ndamping_kn_s_m = 100\nstructure_stiffness_mn_m = 50\n\
+        [loading]\ndeflection_mm = [0, 50]\nforce_kn = [0, 2500]\n";
+    let mut vehicles = vec![without_resistance(wagon()); 2];
+    vehicles.iter_mut().for_each(|vehicle| vehicle.coupler.slack_mm = 0.0);
+    let mut train = train(&vehicles, &gear_of(text), Track::straight());
+    let command = Command::default();
+    let mut state = start(&mut train, 10.0, Couplers::Unstressed, command);
+    state.vehicles[0].velocity += 0.1;
+    let energy = |train: &TrainDynamics, state: &longitudinal::TrainState| {
+        let relative = state.vehicles[0].velocity - state.vehicles[1].velocity;
+        train.energy(state).stored + 134e3 / 4.0 * relative * relative
+    };
+    let first = energy(&train, &state);
+    train.advance(&mut state, &command, 3.0);
+    // The two gears in series have 50 kN s/m; the relative motion has the mass m/2.
+    let expected = (-50e3 / (134e3 / 2.0) * 3.0_f64).exp();
+    Row {
+        case: "energy that damped gears leave after 3 s",
+        value: energy(&train, &state) / first,
+        expected,
+        unit: "of the first",
+        source: "closed form",
+        tolerance: (0.02 * expected, "c/(m ω) = 2 % within a period"),
+    }
+    .holds();
+}
+
+/// Over a transition speed the force is on the curves outside of it, and between them inside.
+#[test]
+fn analytic_transition_speed_blends_the_curves() {
+    let smooth = WEDGE.replace("[loading]", "transition_speed_mm_s = 10\n[loading]");
+    let (mut smooth, mut clamped) = (connection(&smooth, &smooth), connection(WEDGE, WEDGE));
+    let (mut a, mut b) = (ConnectionState::default(), ConnectionState::default());
+    // Two gears in series share the speed: 20 mm/s in all.
+    push(&mut smooth, &mut a, -0.08, 0.05);
+    push(&mut clamped, &mut b, -0.08, 0.05);
+    let loading = b.force;
+    assert!((a.force / loading - 1.0).abs() < 1e-12);
+    smooth.move_to(&mut a, -0.08, 0.05);
+    let unloading = a.force;
+    smooth.move_to(&mut a, -0.08, 0.01);
+    let halfway = loading + 0.75 * (unloading - loading);
+    assert!((a.force / halfway - 1.0).abs() < 1e-12);
+}
+
+/// An impact with the blended law has the peak of the clamped one: both are on the loading curve
+/// until the gears are slower than the transition speed.
+#[test]
+fn analytic_impact_with_a_blended_law() {
+    let vehicles = vec![without_resistance(wagon()); 2];
+    let peak = |text: &str| {
+        let mut train = train(&vehicles, &gear_of(text), Track::straight());
+        train.check_step().unwrap();
+        let mut state = start(&mut train, 1.0, Couplers::Unstressed, Command::default());
+        state.vehicles[1].velocity += 1.0;
+        let mut peak = 0.0_f64;
+        for _ in 0..1000 {
+            train.advance(&mut state, &Command::default(), 1e-3);
+            peak = peak.max(-state.connections[0].force);
+        }
+        peak
+    };
+    let blended = WEDGE.replace("[loading]", "transition_speed_mm_s = 10\n[loading]");
+    let (clamped, blended) = (peak(WEDGE), peak(&blended));
+    Row {
+        case: "peak force of an impact at 1 m/s, curves blended over 20 mm/s",
+        value: blended,
+        expected: clamped,
+        unit: "N",
+        source: "the clamped law",
+        tolerance: (0.02 * clamped, "1/2 (v_e/v)² of the energy, and 20 ms on the way down"),
+    }
+    .holds();
+}
+
+/// A screw coupling does not couple to an automatic one; a pair on a drawbar couples inside.
+#[test]
+fn vehicles_whose_couplers_do_not_fit_are_refused() {
+    let couple = |front: &str, rear: &str| {
+        let vehicles = [vehicle_of(front), vehicle_of(rear)];
+        let gear = friction_gear();
+        TrainDynamics::new(vehicles.iter().map(|v| (v, &gear)), Track::straight()).map(|_| ())
+    };
+    let message = couple("coupler.kind = 'screw'", "").unwrap_err().to_string();
+    assert!(message.contains("vehicles 1 and 2 of the consist do not fit"), "{message}");
+    assert!(message.contains("\"screw\"") && message.contains("\"automatic\""), "{message}");
+    let with_bar = "coupler.rear = { kind = 'drawbar', draft_gear = 'elastic-tps', slack_mm = 0 }";
+    assert!(couple(with_bar, "coupler.kind = 'drawbar'").is_ok());
+}
