@@ -32,7 +32,8 @@ pub struct Recorder {
     train_outputs: Port,
     rail_outputs: Port,
     vehicles: SeriesWriter,
-    wheels: SeriesWriter,
+    /// None where no vehicle has wheels, as in a train alone.
+    wheels: Option<SeriesWriter>,
     /// Vehicle (from zero), wheelset and side of each row of the wheels.
     wheel_rows: Vec<(usize, usize, usize)>,
     /// Exchange steps per record.
@@ -78,7 +79,10 @@ impl Recorder {
                 vehicle_keys(scenario.vehicle_count()),
                 VehicleRow::columns(),
             )?,
-            wheels: create("wheels", wheel_keys(&keys), WheelRow::columns())?,
+            wheels: match keys.is_empty() {
+                true => None,
+                false => Some(create("wheels", wheel_keys(&keys), WheelRow::columns())?),
+            },
             wheel_rows,
             every,
             powered: vec![false; scenario.vehicle_count()],
@@ -99,8 +103,10 @@ impl Recorder {
             self.vehicles.observe(i, &row.values());
             self.powered[i] |= place[train::TRACTION] != 0.0;
         }
-        for (row, &(i, j, side)) in self.wheel_rows.iter().enumerate() {
-            self.wheels.observe(row, &wheel_row(&lockstep.vehicles[i], j, side).values());
+        if let Some(wheels) = &mut self.wheels {
+            for (row, &(i, j, side)) in self.wheel_rows.iter().enumerate() {
+                wheels.observe(row, &wheel_row(&lockstep.vehicles[i], j, side).values());
+            }
         }
         if k.is_multiple_of(self.every) {
             self.record(lockstep.clock.at(k), lockstep)?;
@@ -133,7 +139,10 @@ impl Recorder {
         self.train.observe(0, &values);
         self.train.record(time)?;
         self.vehicles.record(time)?;
-        Ok(self.wheels.record(time)?)
+        match &mut self.wheels {
+            Some(wheels) => Ok(wheels.record(time)?),
+            None => Ok(()),
+        }
     }
 
     /// Completes the files.
@@ -143,7 +152,10 @@ impl Recorder {
     pub fn finish(self) -> Result<(), ObserveError> {
         self.train.finish()?;
         self.vehicles.finish()?;
-        Ok(self.wheels.finish()?)
+        match self.wheels {
+            Some(wheels) => Ok(wheels.finish()?),
+            None => Ok(()),
+        }
     }
 }
 

@@ -37,6 +37,9 @@ pub fn write_longitudinal(scenario: &Scenario, folder: &Path) -> Result<Origins,
     let consist = Consist { vehicle: &scenario.train.vehicles };
     write(&folder.join("consist.toml"), to_toml(&consist).as_bytes())?;
     copy_file(&scenario.driver.file, &folder.join("driver.toml"))?;
+    for file in &scenario.driver.with {
+        copy_file(file, &folder.join(file.file_name().unwrap_or_default()))?;
+    }
     let mut origins = write_track_and_stock(scenario, folder)?;
     origins.0.push(("driver.toml", scenario.driver.file.clone()));
     Ok(origins)

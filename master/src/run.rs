@@ -282,16 +282,18 @@ impl fmt::Display for Finished {
         )?;
         let per_step = |time: Duration| time.as_secs_f64() * 1e6 / self.steps as f64;
         let times = &self.times;
+        write!(f, "per step: train {:.1} µs, ", per_step(times.train))?;
+        if self.vehicles > 0 {
+            let vehicles = per_step(times.vehicles);
+            let each = vehicles * self.threads as f64 / self.vehicles as f64;
+            write!(f, "vehicles {vehicles:.1} µs ({each:.2} µs a vehicle and thread), ")?;
+            write!(f, "rail {:.1} µs, ", per_step(times.rail))?;
+        }
         writeln!(
             f,
-            "per step: train {:.1} µs, vehicles {:.1} µs ({:.2} µs a vehicle and thread), \
-             rail {:.1} µs, exchange {:.1} µs, recording {:.1} µs",
-            per_step(times.train),
-            per_step(times.vehicles),
-            per_step(times.vehicles) * self.threads as f64 / self.vehicles as f64,
-            per_step(times.rail),
+            "exchange {:.1} µs, recording {:.1} µs",
             per_step(times.exchange),
-            per_step(times.recording),
+            per_step(times.recording)
         )?;
         for MainFigure { name, value, place } in &self.figures {
             writeln!(f, "{name:<46} {value:<24} {place}")?;

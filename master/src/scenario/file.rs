@@ -98,6 +98,14 @@ pub struct VehicleGroup {
     #[serde(default = "one")]
     #[garde(range(min = 1, max = 1000))]
     pub count: usize,
+    /// Group of locomotives whose commands they follow; 0 is the leading one.
+    #[serde(default)]
+    #[garde(range(max = 16))]
+    pub group: usize,
+    /// Share of the hand brakes' force that is applied.
+    #[serde(default)]
+    #[garde(range(min = 0.0, max = 1.0))]
+    pub hand_brake: f64,
 }
 
 /// The track.
@@ -116,6 +124,10 @@ pub struct Driver {
     /// Driver file, relative to the scenario's file.
     #[garde(skip)]
     pub file: PathBuf,
+    /// Files beside it that it names, such as the CSV of a logger.
+    #[serde(default)]
+    #[garde(skip)]
+    pub with: Vec<PathBuf>,
 }
 
 /// Gains of the controllers that keep each vehicle at its place in the train:

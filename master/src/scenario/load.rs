@@ -171,6 +171,9 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, file: &str) -> Result<(
     resolve(&mut scenario.stock, "stock", "folder")?;
     resolve(&mut scenario.track.file, "track.file", "track file")?;
     resolve(&mut scenario.driver.file, "driver.file", "driver file")?;
+    for (i, path) in scenario.driver.with.iter_mut().enumerate() {
+        resolve(path, &format!("driver.with[{i}]"), "file")?;
+    }
     let fmus = &mut scenario.fmus;
     for (key, path) in [
         ("fmus.longitudinal", &mut fmus.longitudinal),
