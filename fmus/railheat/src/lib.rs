@@ -29,15 +29,20 @@
 pub mod audit;
 pub mod column;
 pub mod creep_force;
+pub mod energy;
 mod field_file;
 pub mod file;
 pub mod flash_temperature;
+mod heat;
 mod interface;
 pub mod material;
 pub mod paper;
 mod parameters;
+mod parameters_energy;
 pub mod rail;
+pub mod section;
 mod signals;
+mod signals_energy;
 pub mod surface;
 pub mod wheels;
 
