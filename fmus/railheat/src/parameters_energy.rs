@@ -71,13 +71,14 @@ impl EnergyParameterSignals {
                 "section.cell_size",
                 unit::METRE,
                 "Size of the section's cells, about",
-                0.004,
+                0.005,
             ),
             shortest: real(
                 "section.shortest_time",
                 unit::SECOND,
-                "Modes of the section that decay faster are left out",
-                0.5,
+                "Modes of the section that decay faster are left out, for speed; the foot then ripples \
+                 for some ten times as long after each wheel; zero: all modes",
+                0.0,
             ),
             interval: real(
                 "section.interval",

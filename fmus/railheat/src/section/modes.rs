@@ -15,7 +15,9 @@
 //! ```
 //!
 //! which are solved exactly for any step as long as s is constant. Modes that decay within
-//! `shortest` are left out: their heat, next to nothing, counts as given to the air at once.
+//! `shortest` are left out, if wanted: their heat, next to nothing, counts as given to the air at
+//! once, but the temperatures ripple all over the section for some ten times as long after heat
+//! comes in, because what cancelled at the foot is missing.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
