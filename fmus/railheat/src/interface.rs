@@ -12,6 +12,7 @@ use crate::file::Shape;
 use crate::heat::{Heat, State};
 use crate::paper::{Paper, Stray};
 use crate::signals::Signals;
+use crate::weather_file::WeatherFile;
 use crate::wheels::Wheel;
 
 /// Heat in one rail from the wheels of a train.
@@ -22,6 +23,7 @@ pub struct RailHeat {
     /// The element of each probe.
     probes: Vec<usize>,
     field: Option<FieldFile>,
+    weather: Option<WeatherFile>,
 }
 
 impl Model for RailHeat {
@@ -48,11 +50,14 @@ impl Model for RailHeat {
         start_time: f64,
         _log: &mut Log,
     ) -> Result<Self, ModelError> {
-        let model = build(signals, values, start_time)?;
+        let file = open_weather(signals, values)?;
+        let weather = weather_at(file.as_ref(), signals, values, start_time)?;
+        let model = build(signals, values, &weather, start_time)?;
         let wheels = vec![Wheel::default(); signals.wheels.len()];
         let rail_heat = Self {
             probes: probe_elements(&signals.shape, &model)?,
             field: begin_field(signals, values, start_time, &model)?,
+            weather: file,
             wheels,
             model,
         };
@@ -71,16 +76,12 @@ impl Model for RailHeat {
             *wheel = inputs.read(values);
             check(wheel, &inputs.name)?;
         }
-        let weather = signals.weather(values);
-        check_weather(&weather)?;
         let Interval { start, length } = interval;
+        let weather = weather_at(self.weather.as_ref(), signals, values, start + 0.5 * length)?;
         if let Some(stray) = self.model.step(&self.wheels, &weather, start, length) {
             log.warning(self.sentence(signals, stray, start + length));
         }
-        if let Some(field) = &mut self.field {
-            let written = field.write_if_due(start + length, &self.model);
-            written.map_err(ModelError::from_error)?;
-        }
+        self.write_field(signals, values, start + length, log)?;
         self.write_outputs(signals, values);
         Ok(())
     }
@@ -124,6 +125,28 @@ impl RailHeat {
         }
     }
 
+    /// Writes the field if it is time; what a failure means is the user's choice.
+    fn write_field(
+        &mut self,
+        signals: &Signals,
+        values: &Values,
+        time: f64,
+        log: &mut Log,
+    ) -> Result<(), ModelError> {
+        let Some(field) = &mut self.field else {
+            return Ok(());
+        };
+        let Err(error) = field.write_if_due(time, &self.model) else {
+            return Ok(());
+        };
+        if values[signals.parameters.field_failure] != "go_on" {
+            return Err(ModelError::from_error(error));
+        }
+        log.warning(format!("{error}; the run goes on without writing the field"));
+        self.field = None;
+        Ok(())
+    }
+
     fn sentence(&self, signals: &Signals, stray: Stray, time: f64) -> String {
         let span = self.model.span();
         format!(
@@ -138,19 +161,22 @@ impl RailHeat {
 }
 
 /// The model that the parameters choose, at its start.
-fn build(signals: &Signals, values: &Values, start_time: f64) -> Result<Heat, ModelError> {
+fn build(
+    signals: &Signals,
+    values: &Values,
+    weather: &Weather,
+    start_time: f64,
+) -> Result<Heat, ModelError> {
     let Shape { wheelsets, depths, .. } = &signals.shape;
-    let weather = signals.weather(values);
-    check_weather(&weather)?;
     match values[signals.parameters.model].as_str() {
         "paper" => {
-            let parameters = signals.parameters.read(values, &weather, depths)?;
+            let parameters = signals.parameters.read(values, weather, depths)?;
             let paper = Paper::new(parameters, signals.wheels.len(), start_time);
             paper.map(|paper| Heat::Paper(Box::new(paper))).map_err(ModelError::from_error)
         }
         "energy" => {
             let parameters = signals.parameters_energy.read(&signals.parameters, values, depths)?;
-            let energy = Energy::new(parameters, wheelsets, &weather, start_time);
+            let energy = Energy::new(parameters, wheelsets, weather, start_time);
             energy.map(|energy| Heat::Energy(Box::new(energy))).map_err(ModelError::from_error)
         }
         other => {
@@ -158,6 +184,30 @@ fn build(signals: &Signals, values: &Values, start_time: f64) -> Result<Heat, Mo
             Err(ModelError::new(sentence))
         }
     }
+}
+
+/// The weather file, if there is one.
+fn open_weather(signals: &Signals, values: &Values) -> Result<Option<WeatherFile>, ModelError> {
+    let path = &values[signals.parameters.weather_file];
+    if path.is_empty() {
+        return Ok(None);
+    }
+    WeatherFile::open(Path::new(path)).map(Some).map_err(ModelError::from_error)
+}
+
+/// The weather of the file at a time, or of the inputs.
+fn weather_at(
+    file: Option<&WeatherFile>,
+    signals: &Signals,
+    values: &Values,
+    time: f64,
+) -> Result<Weather, ModelError> {
+    if let Some(file) = file {
+        return file.at(time).map_err(ModelError::from_error);
+    }
+    let weather = signals.weather(values);
+    check_weather(&weather)?;
+    Ok(weather)
 }
 
 /// Refuses weather that cannot be.
@@ -235,6 +285,11 @@ fn begin_field(
     let path = &values[signals.parameters.field_file];
     if path.is_empty() {
         return Ok(None);
+    }
+    let failure = &values[signals.parameters.field_failure];
+    if failure != "stop" && failure != "go_on" {
+        let sentence = format!("field_failure = \"{failure}\": must be \"stop\" or \"go_on\"");
+        return Err(ModelError::new(sentence));
     }
     let interval = values[signals.parameters.field_interval];
     if !(interval > 0.0 && interval.is_finite()) {

@@ -35,6 +35,8 @@ pub(crate) struct ParameterSignals {
     pub(crate) equilibrium: Boolean,
     pub(crate) temperature: Real,
     pub(crate) field_file: Text,
+    pub(crate) field_failure: Text,
+    pub(crate) weather_file: Text,
     pub(crate) field_interval: Real,
 }
 
@@ -154,6 +156,16 @@ impl ParameterSignals {
             field_file: declaration.text_parameter(
                 "field_file",
                 "Folder of the Zarr store for the field of the temperature rise; empty: none is written",
+                "",
+            ),
+            field_failure: declaration.text_parameter(
+                "field_failure",
+                "What a field that cannot be written does to the run: \"stop\", or \"go_on\" without it",
+                "stop",
+            ),
+            weather_file: declaration.text_parameter(
+                "weather_file",
+                "CSV file with the weather over time, instead of the inputs; empty: the inputs",
                 "",
             ),
             begin,

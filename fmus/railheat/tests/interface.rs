@@ -202,6 +202,46 @@ fn property_the_field_file_holds_the_run() {
     assert!(at_probe > 1.0, "30.05 m was passed after 0.12 s: {at_probe}");
 }
 
+/// What a field that can no longer be written does to the run is the user's choice.
+#[test]
+fn a_field_that_cannot_be_written_stops_the_run_or_not() {
+    for (choice, goes_on) in [("stop", false), ("go_on", true)] {
+        let mut bench = Bench::new();
+        let path = bench.folder.path().join("rail.zarr");
+        let references = [bench.reference("field_file"), bench.reference("field_failure")];
+        bench.instance.set_string(&references, [path.to_str().unwrap(), choice]).unwrap();
+        bench.set("field_interval", 0.02);
+        bench.start().unwrap();
+        bench.instance.set_debug_logging(true, &[]).unwrap();
+        fs::remove_dir_all(&path).unwrap();
+        fs::write(&path, "a file where the store was").unwrap();
+        let result = bench.step(0.0, 0.02, 28.0);
+        assert_eq!(result.is_ok(), goes_on, "{choice}: {result:?}");
+        if goes_on {
+            bench.step(0.02, 0.02, 28.3).unwrap();
+        }
+        let messages = bench.messages.lock().unwrap().clone();
+        let told = messages.iter().filter(|text| text.contains("goes on without")).count();
+        assert_eq!(told, usize::from(goes_on), "{messages:?}");
+    }
+}
+
+#[test]
+fn the_weather_file_takes_the_place_of_the_inputs() {
+    let mut bench = Bench::new();
+    let path = bench.folder.path().join("day.csv");
+    let header = railheat::weather_file::HEADER;
+    fs::write(&path, format!("{header}\n0,10,0,0,0,0,0\n100,30,0,0,0,0,0\n")).unwrap();
+    let references = [bench.reference("model"), bench.reference("weather_file")];
+    bench.instance.set_string(&references, ["energy", path.to_str().unwrap()]).unwrap();
+    bench.set("section.cell_size", 0.012);
+    bench.start().unwrap();
+    bench.instance.do_step(0.0, 50.0).unwrap();
+    assert!(bench.get("untouched.surface.rise") > 0.0, "the air has become warmer");
+    let sentence = chain(&bench.instance.do_step(50.0, 200.0).unwrap_err());
+    assert!(sentence.contains("from 0 s to 100 s, but the run needs 150 s"), "{sentence}");
+}
+
 /// The state goes on bit for bit; the file stays as it is until the run is past its last snapshot.
 #[test]
 fn property_a_restored_run_gives_the_same_and_appends_later() {
