@@ -25,6 +25,7 @@
 //! This is a model that integrates its input, and a run of it:
 //!
 //! ```
+//! use std::borrow::Cow;
 //! use std::path::Path;
 //! use fmu::{Declaration, Identity, Instance, Interval, Log, Model, ModelError, Real, Values, unit};
 //!
@@ -77,8 +78,8 @@
 //!         Ok(())
 //!     }
 //!
-//!     fn state(&self) -> &f64 {
-//!         &self.position
+//!     fn state(&self) -> Cow<'_, f64> {
+//!         Cow::Borrowed(&self.position)
 //!     }
 //!
 //!     fn restore(&mut self, position: f64) {

@@ -1,5 +1,6 @@
 //! What a physical model must offer to become an FMU.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use serde::Serialize;
@@ -146,8 +147,8 @@ pub trait Model: Send + Sized + 'static {
         log: &mut Log,
     ) -> Result<(), ModelError>;
 
-    /// The state, for saving.
-    fn state(&self) -> &Self::State;
+    /// The state, for saving: borrowed where it lies, or put together for the purpose.
+    fn state(&self) -> Cow<'_, Self::State>;
 
     /// Puts a saved state back; stepping on gives the same bits as before.
     fn restore(&mut self, state: Self::State);

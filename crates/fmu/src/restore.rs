@@ -40,7 +40,7 @@ impl<M: Model> Instance<M> {
             match (&mut state.model, &instance.built) {
                 (Some(saved), Some(built)) => {
                     saved.origin = Arc::clone(&built.origin);
-                    saved.state.clone_from(built.model.state());
+                    saved.state.clone_from(&built.model.state());
                 }
                 (saved, built) => *saved = built.as_ref().map(SavedModel::of),
             }
@@ -109,6 +109,6 @@ impl<M: Model> Instance<M> {
 
 impl<M: Model> SavedModel<M> {
     fn of(built: &Built<M>) -> Self {
-        Self { origin: Arc::clone(&built.origin), state: built.model.state().clone() }
+        Self { origin: Arc::clone(&built.origin), state: built.model.state().into_owned() }
     }
 }

@@ -65,6 +65,14 @@ pub const WATT_PER_SQUARE_METRE_KELVIN: Unit = si("W/(m2.K)", 1, 0, -3, -1, 0);
 pub const JOULE_PER_KILOGRAM_KELVIN: Unit = si("J/(kg.K)", 0, 2, -2, -1, 0);
 /// Kilogram per cubic metre.
 pub const KILOGRAM_PER_CUBIC_METRE: Unit = si("kg/m3", 1, -3, 0, 0, 0);
+/// Joule per kelvin (heat capacity of a body).
+pub const JOULE_PER_KELVIN: Unit = si("J/K", 1, 2, -2, -1, 0);
+/// Watt per kelvin (thermal conductance).
+pub const WATT_PER_KELVIN: Unit = si("W/K", 1, 2, -3, -1, 0);
+/// One per kelvin (thermal expansion).
+pub const PER_KELVIN: Unit = si("1/K", 0, 0, 0, -1, 0);
+/// Pascal.
+pub const PASCAL: Unit = si("Pa", 1, -1, -2, 0, 0);
 /// Kelvin: temperatures and temperature differences.
 pub const KELVIN: Unit = si("K", 0, 0, 0, 1, 0);
 /// Radian.

@@ -1,5 +1,6 @@
 //! The train as an FMU: the way from its variables to the physics and back.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Text, Values};
@@ -136,8 +137,8 @@ impl Model for Train {
         Ok(())
     }
 
-    fn state(&self) -> &State {
-        &self.state
+    fn state(&self) -> Cow<'_, State> {
+        Cow::Borrowed(&self.state)
     }
 
     fn restore(&mut self, state: State) {

@@ -53,6 +53,7 @@ fn place(wheels: &mut [Wheel], head: f64) {
             speed: SPEED,
             creepage: 1e-3 / (1 + index / 6) as f64,
             contact: Contact { normal_force: 109_500.0, a: 0.0063, b: 0.0063 },
+            ..Wheel::default()
         };
     }
 }

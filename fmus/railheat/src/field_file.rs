@@ -4,7 +4,7 @@ use std::path::Path;
 
 use field::{Attribute, Axes, FieldError, FieldWriter};
 
-use crate::paper::Paper;
+use crate::heat::Heat;
 
 /// Slack in comparing times, s.
 const SAME_TIME: f64 = 1e-9;
@@ -29,20 +29,19 @@ impl FieldFile {
         path: &Path,
         interval: f64,
         start_time: f64,
-        model: &Paper,
+        model: &Heat,
     ) -> Result<Self, FieldError> {
-        let parameters = model.parameters();
-        let grid = &parameters.grid;
+        let span = model.span();
         let axes = Axes {
-            chainage: (0..grid.elements).map(|element| grid.chainage(element)).collect(),
-            depth: (0..grid.cells).map(|cell| grid.depth(cell)).collect(),
+            chainage: (0..span.elements).map(|element| span.chainage(element)).collect(),
+            depth: model.depths(),
         };
         let attributes = [
             ("title", Attribute::from("Temperature rise of a rail under a train")),
-            ("model", Attribute::from("paper")),
-            ("initial_temperature_K", Attribute::from(parameters.initial_temperature)),
-            ("element_length_m", Attribute::from(grid.element_length)),
-            ("cell_size_m", Attribute::from(grid.cell_size)),
+            ("model", Attribute::from(model.name())),
+            ("initial_temperature_K", Attribute::from(model.initial_temperature())),
+            ("element_length_m", Attribute::from(span.element_length)),
+            ("cell_size_m", Attribute::from(2.0 * axes.depth[0])),
         ];
         let mut file = Self {
             writer: FieldWriter::create(path, &axes, &attributes)?,
@@ -56,12 +55,12 @@ impl FieldFile {
     }
 
     /// Writes a snapshot if its time has come.
-    pub(crate) fn write_if_due(&mut self, time: f64, model: &Paper) -> Result<(), FieldError> {
+    pub(crate) fn write_if_due(&mut self, time: f64, model: &Heat) -> Result<(), FieldError> {
         let passed = (time - self.start_time + SAME_TIME) / self.interval;
         if passed < self.next as f64 {
             return Ok(());
         }
-        model.rail().snapshot(&model.parameters().grid, &mut self.values);
+        model.snapshot(&mut self.values);
         self.writer.append(time, &self.values)?;
         self.next = passed as u64 + 1;
         Ok(())

@@ -1,23 +1,29 @@
 //! The model as an FMU.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
 
+use crate::energy::model::Energy;
+use crate::energy::weather::Weather;
 use crate::field_file::FieldFile;
 use crate::file::Shape;
-use crate::paper::{Paper, State, Stray};
+use crate::heat::{Heat, State};
+use crate::paper::{Paper, Stray};
 use crate::signals::Signals;
+use crate::weather_file::WeatherFile;
 use crate::wheels::Wheel;
 
 /// Heat in one rail from the wheels of a train.
 pub struct RailHeat {
-    model: Paper,
+    model: Heat,
     /// The inputs of the present step.
     wheels: Vec<Wheel>,
     /// The element of each probe.
     probes: Vec<usize>,
     field: Option<FieldFile>,
+    weather: Option<WeatherFile>,
 }
 
 impl Model for RailHeat {
@@ -44,14 +50,14 @@ impl Model for RailHeat {
         start_time: f64,
         _log: &mut Log,
     ) -> Result<Self, ModelError> {
-        let weather = signals.weather(values);
-        let parameters = signals.parameters.read(values, &weather, &signals.shape.depths)?;
+        let file = open_weather(signals, values)?;
+        let weather = weather_at(file.as_ref(), signals, values, start_time)?;
+        let model = build(signals, values, &weather, start_time)?;
         let wheels = vec![Wheel::default(); signals.wheels.len()];
-        let model =
-            Paper::new(parameters, wheels.len(), start_time).map_err(ModelError::from_error)?;
         let rail_heat = Self {
             probes: probe_elements(&signals.shape, &model)?,
             field: begin_field(signals, values, start_time, &model)?,
+            weather: file,
             wheels,
             model,
         };
@@ -70,28 +76,18 @@ impl Model for RailHeat {
             *wheel = inputs.read(values);
             check(wheel, &inputs.name)?;
         }
-        let weather = signals.weather(values);
-        if !(weather.ambient > 0.0 && weather.irradiance.is_finite()) {
-            return Err(ModelError::new(format!(
-                "ambient.temperature = {} K, solar.irradiance = {} W/m2: the first must be above \
-                 zero and the second a finite number",
-                weather.ambient, weather.irradiance
-            )));
-        }
         let Interval { start, length } = interval;
+        let weather = weather_at(self.weather.as_ref(), signals, values, start + 0.5 * length)?;
         if let Some(stray) = self.model.step(&self.wheels, &weather, start, length) {
             log.warning(self.sentence(signals, stray, start + length));
         }
-        if let Some(field) = &mut self.field {
-            let written = field.write_if_due(start + length, &self.model);
-            written.map_err(ModelError::from_error)?;
-        }
+        self.write_field(signals, values, start + length, log)?;
         self.write_outputs(signals, values);
         Ok(())
     }
 
-    fn state(&self) -> &State {
-        self.model.state()
+    fn state(&self) -> Cow<'_, State> {
+        Cow::Owned(self.model.state())
     }
 
     fn restore(&mut self, state: State) {
@@ -107,35 +103,143 @@ impl RailHeat {
             values[handles.chainage] = highest.chainage;
         }
         for (handles, &element) in outputs.probes.iter().zip(&self.probes) {
-            for (handle, level) in handles.rises.iter().zip(self.model.levels()) {
-                values[*handle] = self.model.rail().rise(element, level);
+            for (level, handle) in handles.rises.iter().enumerate() {
+                values[*handle] = self.model.rise(element, level);
             }
             values[handles.heat] = self.model.heat_per_metre(element);
         }
-        let energy = self.model.energy();
         values[outputs.highest_flash] = self.model.highest_flash();
-        values[outputs.untouched] = self.model.rail().untouched_surface();
-        values[outputs.stored] = energy.stored;
-        values[outputs.imposed] = energy.imposed;
-        values[outputs.weather] = energy.weather;
+        values[outputs.untouched] = self.model.untouched_surface();
+        match &self.model {
+            Heat::Paper(model) => {
+                let energy = model.energy();
+                values[outputs.stored] = energy.stored;
+                values[outputs.imposed] = energy.imposed;
+                values[outputs.weather] = energy.weather;
+            }
+            Heat::Energy(model) => {
+                outputs.energy.write(model, &self.wheels, &self.probes, values);
+                values[outputs.stored] = model.ledger().stored;
+                values[outputs.weather] = model.ledger().sources.weather;
+            }
+        }
+    }
+
+    /// Writes the field if it is time; what a failure means is the user's choice.
+    fn write_field(
+        &mut self,
+        signals: &Signals,
+        values: &Values,
+        time: f64,
+        log: &mut Log,
+    ) -> Result<(), ModelError> {
+        let Some(field) = &mut self.field else {
+            return Ok(());
+        };
+        let Err(error) = field.write_if_due(time, &self.model) else {
+            return Ok(());
+        };
+        if values[signals.parameters.field_failure] != "go_on" {
+            return Err(ModelError::from_error(error));
+        }
+        log.warning(format!("{error}; the run goes on without writing the field"));
+        self.field = None;
+        Ok(())
     }
 
     fn sentence(&self, signals: &Signals, stray: Stray, time: f64) -> String {
-        let grid = &self.model.parameters().grid;
+        let span = self.model.span();
         format!(
             "{} is at chainage {:.1} m at {time:.3} s, outside the modelled track from {} m to {} m; \
              wheels heat nothing there (told once)",
             signals.wheels[stray.wheel].name,
             stray.position,
-            grid.begin,
-            grid.end()
+            span.begin,
+            span.end()
         )
     }
+}
+
+/// The model that the parameters choose, at its start.
+fn build(
+    signals: &Signals,
+    values: &Values,
+    weather: &Weather,
+    start_time: f64,
+) -> Result<Heat, ModelError> {
+    let Shape { wheelsets, depths, .. } = &signals.shape;
+    match values[signals.parameters.model].as_str() {
+        "paper" => {
+            let parameters = signals.parameters.read(values, weather, depths)?;
+            let paper = Paper::new(parameters, signals.wheels.len(), start_time);
+            paper.map(|paper| Heat::Paper(Box::new(paper))).map_err(ModelError::from_error)
+        }
+        "energy" => {
+            let parameters = signals.parameters_energy.read(&signals.parameters, values, depths)?;
+            let energy = Energy::new(parameters, wheelsets, weather, start_time);
+            energy.map(|energy| Heat::Energy(Box::new(energy))).map_err(ModelError::from_error)
+        }
+        other => {
+            let sentence = format!("model = \"{other}\": must be \"paper\" or \"energy\"");
+            Err(ModelError::new(sentence))
+        }
+    }
+}
+
+/// The weather file, if there is one.
+fn open_weather(signals: &Signals, values: &Values) -> Result<Option<WeatherFile>, ModelError> {
+    let path = &values[signals.parameters.weather_file];
+    if path.is_empty() {
+        return Ok(None);
+    }
+    WeatherFile::open(Path::new(path)).map(Some).map_err(ModelError::from_error)
+}
+
+/// The weather of the file at a time, or of the inputs.
+fn weather_at(
+    file: Option<&WeatherFile>,
+    signals: &Signals,
+    values: &Values,
+    time: f64,
+) -> Result<Weather, ModelError> {
+    if let Some(file) = file {
+        return file.at(time).map_err(ModelError::from_error);
+    }
+    let weather = signals.weather(values);
+    check_weather(&weather)?;
+    Ok(weather)
+}
+
+/// Refuses weather that cannot be.
+fn check_weather(weather: &Weather) -> Result<(), ModelError> {
+    let Weather { ambient, wind, direct, diffuse, sun } = *weather;
+    if !(ambient > 0.0 && direct.is_finite()) {
+        return Err(ModelError::new(format!(
+            "ambient.temperature = {ambient} K, solar.irradiance = {direct} W/m2: the first must be \
+             above zero and the second a finite number"
+        )));
+    }
+    if !(wind >= 0.0 && diffuse >= 0.0 && sun.elevation.is_finite() && sun.azimuth.is_finite()) {
+        return Err(ModelError::new(format!(
+            "wind.speed = {wind} m/s, solar.diffuse = {diffuse} W/m2, solar.elevation = {} rad, \
+             solar.azimuth = {} rad: the first two must not be negative, all finite numbers",
+            sun.elevation, sun.azimuth
+        )));
+    }
+    Ok(())
 }
 
 /// Refuses inputs of a wheel that make no sense.
 fn check(wheel: &Wheel, name: &str) -> Result<(), ModelError> {
     let contact = &wheel.contact;
+    let heat = [wheel.friction_power, wheel.brake_power, wheel.lateral_position];
+    if !heat.iter().all(|value| value.is_finite()) {
+        return Err(ModelError::new(format!(
+            "{name}: friction_power {} W, brake_power {} W and contact.lateral_position {} m must \
+             be finite numbers",
+            wheel.friction_power, wheel.brake_power, wheel.lateral_position
+        )));
+    }
     let all = [wheel.position, wheel.speed, wheel.creepage, contact.normal_force];
     if !all.iter().all(|value| value.is_finite()) {
         return Err(ModelError::new(format!(
@@ -155,18 +259,18 @@ fn check(wheel: &Wheel, name: &str) -> Result<(), ModelError> {
 }
 
 /// The element in which each probe lies.
-fn probe_elements(shape: &Shape, model: &Paper) -> Result<Vec<usize>, ModelError> {
-    let grid = &model.parameters().grid;
+fn probe_elements(shape: &Shape, model: &Heat) -> Result<Vec<usize>, ModelError> {
+    let span = model.span();
     let element = |&chainage: &f64| {
-        crate::wheels::passed(grid, chainage, chainage)
-            .map(|elements| *elements.start())
-            .ok_or_else(|| {
-                ModelError::new(format!(
-                    "probe at chainage_m = {chainage}: must lie on the modelled track from {} m to {} m",
-                    grid.begin,
-                    grid.end()
-                ))
-            })
+        if (span.begin..span.end()).contains(&chainage) {
+            let place = ((chainage - span.begin) / span.element_length) as usize;
+            return Ok(place.min(span.elements - 1));
+        }
+        Err(ModelError::new(format!(
+            "probe at chainage_m = {chainage}: must lie on the modelled track from {} m to {} m",
+            span.begin,
+            span.end()
+        )))
     };
     shape.probes.iter().map(element).collect()
 }
@@ -176,11 +280,16 @@ fn begin_field(
     signals: &Signals,
     values: &Values,
     start_time: f64,
-    model: &Paper,
+    model: &Heat,
 ) -> Result<Option<FieldFile>, ModelError> {
     let path = &values[signals.parameters.field_file];
     if path.is_empty() {
         return Ok(None);
+    }
+    let failure = &values[signals.parameters.field_failure];
+    if failure != "stop" && failure != "go_on" {
+        let sentence = format!("field_failure = \"{failure}\": must be \"stop\" or \"go_on\"");
+        return Err(ModelError::new(sentence));
     }
     let interval = values[signals.parameters.field_interval];
     if !(interval > 0.0 && interval.is_finite()) {

@@ -1,6 +1,7 @@
 //! Heat in one rail from the wheels of a train: the model of Bosomworth, Spiryagin, Alahakoon and
 //! Cole, *The influence of vehicle system dynamics on rail foot heat transfer*, Australian Journal
-//! of Mechanical Engineering (2018), doi 10.1080/14484846.2018.1457260, as `model = "paper"`.
+//! of Mechanical Engineering (2018), doi 10.1080/14484846.2018.1457260, as `model = "paper"`, and heat that is conserved in a real section, as
+//! `model = "energy"`.
 //!
 //! The rail is cut into short elements along the track. Each is a column over the rail's depth
 //! that conducts heat downwards. A wheel raises the surface of every element it passes to its
@@ -17,8 +18,12 @@
 //! | `wheels.rs` | which elements a wheel passes in a step |
 //! | `audit.rs` | where the heat came from and where it is |
 //! | `paper.rs` | the paper's model: what happens in which order |
+//! | `energy/` | `model = "energy"` |
+//! | `section/` | the rail's cross-section and its modes |
+//! | `weather_file.rs` | weather from a CSV file |
+//! | `heat.rs` | the chosen model |
 //! | `file.rs` | `railheat.toml`: the wheels and probes that shape the interface |
-//! | `parameters.rs`, `signals.rs` | the FMU's variables |
+//! | `parameters*.rs`, `signals*.rs` | the FMU's variables |
 //! | `interface.rs` | the model as an FMU |
 //! | `field_file.rs` | when a snapshot of the field is written |
 //!
@@ -29,16 +34,22 @@
 pub mod audit;
 pub mod column;
 pub mod creep_force;
+pub mod energy;
 mod field_file;
 pub mod file;
 pub mod flash_temperature;
+mod heat;
 mod interface;
 pub mod material;
 pub mod paper;
 mod parameters;
+mod parameters_energy;
 pub mod rail;
+pub mod section;
 mod signals;
+mod signals_energy;
 pub mod surface;
+pub mod weather_file;
 pub mod wheels;
 
 pub use interface::RailHeat;

@@ -2,11 +2,12 @@
 
 use fmu::{Boolean, Declaration, ModelError, Real, Text, Values, unit};
 
+use crate::energy::weather::Weather;
 use crate::flash_temperature::Friction;
 use crate::material::Material;
 use crate::paper::Parameters;
 use crate::rail::Grid;
-use crate::surface::{Surface, Weather};
+use crate::surface::{self, Surface};
 
 /// Most cells of the whole rail: 0.8 GB.
 const MOST_CELLS: f64 = 1e8;
@@ -14,26 +15,28 @@ const MOST_CELLS: f64 = 1e8;
 /// Handles of the parameters.
 #[derive(Debug)]
 pub(crate) struct ParameterSignals {
-    model: Text,
-    begin: Real,
-    length: Real,
-    element_length: Real,
+    pub(crate) model: Text,
+    pub(crate) begin: Real,
+    pub(crate) length: Real,
+    pub(crate) element_length: Real,
     height: Real,
     width: Real,
     cell_size: Real,
     conduction_interval: Real,
-    conductivity: Real,
-    density: Real,
-    specific_heat: Real,
+    pub(crate) conductivity: Real,
+    pub(crate) density: Real,
+    pub(crate) specific_heat: Real,
     friction: Real,
-    partition: Real,
-    convection: Real,
-    emissivity: Real,
-    absorptivity: Real,
-    filter: Real,
-    equilibrium: Boolean,
-    temperature: Real,
+    pub(crate) partition: Real,
+    pub(crate) convection: Real,
+    pub(crate) emissivity: Real,
+    pub(crate) absorptivity: Real,
+    pub(crate) filter: Real,
+    pub(crate) equilibrium: Boolean,
+    pub(crate) temperature: Real,
     pub(crate) field_file: Text,
+    pub(crate) field_failure: Text,
+    pub(crate) weather_file: Text,
     pub(crate) field_interval: Real,
 }
 
@@ -142,7 +145,7 @@ impl ParameterSignals {
         Self {
             model: declaration.text_parameter(
                 "model",
-                "Heat model: \"paper\" (Bosomworth et al. 2018)",
+                "Heat model: \"paper\" (Bosomworth et al. 2018) or \"energy\" (heat that is conserved, in a real section)",
                 "paper",
             ),
             equilibrium: declaration.boolean_parameter(
@@ -153,6 +156,16 @@ impl ParameterSignals {
             field_file: declaration.text_parameter(
                 "field_file",
                 "Folder of the Zarr store for the field of the temperature rise; empty: none is written",
+                "",
+            ),
+            field_failure: declaration.text_parameter(
+                "field_failure",
+                "What a field that cannot be written does to the run: \"stop\", or \"go_on\" without it",
+                "stop",
+            ),
+            weather_file: declaration.text_parameter(
+                "weather_file",
+                "CSV file with the weather over time, instead of the inputs; empty: the inputs",
                 "",
             ),
             begin,
@@ -183,10 +196,6 @@ impl ParameterSignals {
         weather: &Weather,
         depths: &[f64],
     ) -> Result<Parameters, ModelError> {
-        if values[self.model] != "paper" {
-            let sentence = format!("model = \"{}\": must be \"paper\"", values[self.model]);
-            return Err(ModelError::new(sentence));
-        }
         let grid = self.grid(values)?;
         let surface = Surface {
             convection: not_negative("surface.convection", values[self.convection])?,
@@ -198,22 +207,30 @@ impl ParameterSignals {
             depths: depths.to_vec(),
             width: positive("rail.width", values[self.width])?,
             conduction_interval: positive("conduction.interval", values[self.conduction_interval])?,
-            material: Material {
-                conductivity: positive("material.conductivity", values[self.conductivity])?,
-                density: positive("material.density", values[self.density])?,
-                specific_heat: positive("material.specific_heat", values[self.specific_heat])?,
-            },
+            material: self.material(values)?,
             friction: Friction {
                 coefficient: positive("friction.coefficient", values[self.friction])?,
                 partition: share("friction.partition", values[self.partition])?,
             },
             initial_temperature: if values[self.equilibrium] {
-                surface.equilibrium(weather)
+                surface.equilibrium(&surface::Weather {
+                    ambient: weather.ambient,
+                    irradiance: weather.direct,
+                })
             } else {
                 positive("initial.temperature", values[self.temperature])?
             },
             surface,
             grid,
+        })
+    }
+
+    /// The rail's steel.
+    pub(crate) fn material(&self, values: &Values) -> Result<Material, ModelError> {
+        Ok(Material {
+            conductivity: positive("material.conductivity", values[self.conductivity])?,
+            density: positive("material.density", values[self.density])?,
+            specific_heat: positive("material.specific_heat", values[self.specific_heat])?,
         })
     }
 
@@ -243,7 +260,7 @@ impl ParameterSignals {
 }
 
 /// How many parts of `part` make up `whole`; at least two and, but for rounding, a whole number.
-fn whole(name: &str, whole: f64, part_name: &str, part: f64) -> Result<f64, ModelError> {
+pub(crate) fn whole(name: &str, whole: f64, part_name: &str, part: f64) -> Result<f64, ModelError> {
     let whole = positive(name, whole)?;
     let parts = (whole / part).round();
     if parts >= 2.0 && (parts * part - whole).abs() <= 1e-6 * part {
@@ -255,7 +272,7 @@ fn whole(name: &str, whole: f64, part_name: &str, part: f64) -> Result<f64, Mode
     )))
 }
 
-fn positive(name: &str, value: f64) -> Result<f64, ModelError> {
+pub(crate) fn positive(name: &str, value: f64) -> Result<f64, ModelError> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
     } else {
@@ -263,7 +280,7 @@ fn positive(name: &str, value: f64) -> Result<f64, ModelError> {
     }
 }
 
-fn not_negative(name: &str, value: f64) -> Result<f64, ModelError> {
+pub(crate) fn not_negative(name: &str, value: f64) -> Result<f64, ModelError> {
     if value.is_finite() && value >= 0.0 {
         Ok(value)
     } else {
@@ -271,7 +288,7 @@ fn not_negative(name: &str, value: f64) -> Result<f64, ModelError> {
     }
 }
 
-fn share(name: &str, value: f64) -> Result<f64, ModelError> {
+pub(crate) fn share(name: &str, value: f64) -> Result<f64, ModelError> {
     if (0.0..=1.0).contains(&value) {
         Ok(value)
     } else {
@@ -279,6 +296,6 @@ fn share(name: &str, value: f64) -> Result<f64, ModelError> {
     }
 }
 
-fn wrong(name: &str, value: f64, wanted: &str) -> ModelError {
+pub(crate) fn wrong(name: &str, value: f64, wanted: &str) -> ModelError {
     ModelError::new(format!("{name} = {value}: {wanted}"))
 }

@@ -3,9 +3,12 @@
 use fmu::{Declaration, Real, Values, unit};
 
 use crate::creep_force::Contact;
+use crate::energy::sun::Sun;
+use crate::energy::weather::Weather;
 use crate::file::Shape;
 use crate::parameters::ParameterSignals;
-use crate::surface::Weather;
+use crate::parameters_energy::EnergyParameterSignals;
+use crate::signals_energy::EnergyOutputSignals;
 use crate::wheels::Wheel;
 
 /// Handles of all variables.
@@ -14,12 +17,12 @@ pub struct Signals {
     pub(crate) shape: Shape,
     pub(crate) parameters: ParameterSignals,
     pub(crate) wheels: Vec<WheelSignals>,
-    ambient: Real,
-    irradiance: Real,
+    pub(crate) parameters_energy: EnergyParameterSignals,
+    weather: WeatherSignals,
     pub(crate) outputs: OutputSignals,
 }
 
-/// Handles of the inputs of one wheel that the paper's model uses.
+/// Handles of the inputs of one wheel.
 #[derive(Debug)]
 pub(crate) struct WheelSignals {
     /// `vehicle[i].wheelset[j]`
@@ -30,6 +33,9 @@ pub(crate) struct WheelSignals {
     normal_force: Real,
     a: Real,
     b: Real,
+    friction_power: Real,
+    lateral_position: Real,
+    brake_power: Real,
 }
 
 /// Handles of the highest rise at one depth.
@@ -58,6 +64,7 @@ pub(crate) struct OutputSignals {
     pub(crate) stored: Real,
     pub(crate) imposed: Real,
     pub(crate) weather: Real,
+    pub(crate) energy: EnergyOutputSignals,
 }
 
 impl Signals {
@@ -69,47 +76,87 @@ impl Signals {
             .flat_map(|(vehicle, wheelsets)| (0..*wheelsets).map(move |j| (vehicle + 1, j + 1)))
             .map(|(i, j)| WheelSignals::declare(format!("vehicle[{i}].wheelset[{j}]"), declaration))
             .collect();
-        let (ambient, irradiance) = declare_weather(declaration);
+        let weather = WeatherSignals::declare(declaration);
         Self {
             parameters: ParameterSignals::declare(declaration),
+            parameters_energy: EnergyParameterSignals::declare(declaration),
             outputs: OutputSignals::declare(&shape, declaration),
             wheels,
-            ambient,
-            irradiance,
+            weather,
             shape,
         }
     }
 
     pub(crate) fn weather(&self, values: &Values) -> Weather {
-        Weather { ambient: values[self.ambient], irradiance: values[self.irradiance] }
+        let WeatherSignals { ambient, irradiance, diffuse, wind, elevation, azimuth } =
+            self.weather;
+        Weather {
+            ambient: values[ambient],
+            wind: values[wind],
+            direct: values[irradiance],
+            diffuse: values[diffuse],
+            sun: Sun { elevation: values[elevation], azimuth: values[azimuth] },
+        }
     }
 }
 
-fn declare_weather(declaration: &mut Declaration) -> (Real, Real) {
-    let ambient = declaration
-        .real("ambient.temperature", unit::KELVIN, "Temperature of the air and of the sky")
-        .min(0.0)
-        .input(298.15);
-    let irradiance = declaration
-        .real(
+/// Handles of the inputs of the weather.
+#[derive(Clone, Copy, Debug)]
+struct WeatherSignals {
+    ambient: Real,
+    irradiance: Real,
+    diffuse: Real,
+    wind: Real,
+    elevation: Real,
+    azimuth: Real,
+}
+
+impl WeatherSignals {
+    fn declare(declaration: &mut Declaration) -> Self {
+        let mut not_negative = |name: &str, unit, description: &str, start: f64| {
+            declaration.real(name, unit, description).min(0.0).input(start)
+        };
+        let ambient = not_negative(
+            "ambient.temperature",
+            unit::KELVIN,
+            "Temperature of the air; in model paper of the sky too",
+            298.15,
+        );
+        let irradiance = not_negative(
             "solar.irradiance",
             unit::WATT_PER_SQUARE_METRE,
-            "Irradiance of the sun before the filter; the start value is the solar constant of the paper",
-        )
-        .min(0.0)
-        .input(1366.0);
-    for (name, unit, description) in [
-        ("wind.speed", unit::METRE_PER_SECOND, "Wind speed; ignored by model paper"),
-        ("solar.elevation", unit::RADIAN, "Elevation of the sun; ignored by model paper"),
-        (
+            "Irradiance of a surface that faces the sun, before the filter; the start value is the \
+             solar constant of the paper",
+            1366.0,
+        );
+        let diffuse = not_negative(
+            "solar.diffuse",
+            unit::WATT_PER_SQUARE_METRE,
+            "Diffuse irradiance of a horizontal surface; ignored by model paper",
+            0.0,
+        );
+        let wind = not_negative(
+            "wind.speed",
+            unit::METRE_PER_SECOND,
+            "Wind speed; ignored by model paper",
+            0.0,
+        );
+        let mut angle = |name: &str, description: &str, start: f64| {
+            declaration.real(name, unit::RADIAN, description).input(start)
+        };
+        let elevation = angle(
+            "solar.elevation",
+            "Elevation of the sun; ignored by model paper, whose sun stands straight above, as the \
+             start value says",
+            std::f64::consts::FRAC_PI_2,
+        );
+        let azimuth = angle(
             "solar.azimuth",
-            unit::RADIAN,
             "Azimuth of the sun from north over east; ignored by model paper",
-        ),
-    ] {
-        declaration.real(name, unit, description).input(0.0);
+            0.0,
+        );
+        Self { ambient, irradiance, diffuse, wind, elevation, azimuth }
     }
-    (ambient, irradiance)
 }
 
 impl WheelSignals {
@@ -128,19 +175,23 @@ impl WheelSignals {
             normal_force: input("force.normal", unit::NEWTON, "Normal force of the contact"),
             a: input("contact.a", unit::METRE, "Semi-axis of the contact along the rail"),
             b: input("contact.b", unit::METRE, "Semi-axis of the contact across the rail"),
-            name: String::new(),
-        };
-        for (signal, unit, description) in [
-            ("friction_power", unit::WATT, "Friction power of the contact; ignored by model paper"),
-            (
+            friction_power: input(
+                "friction_power",
+                unit::WATT,
+                "Friction power of the contact, longitudinal, lateral and spin; used by model energy",
+            ),
+            lateral_position: input(
                 "contact.lateral_position",
                 unit::METRE,
-                "Place of the contact on the rail head, to the right; ignored by model paper",
+                "Place of the contact on the rail head, to the right; used by model energy",
             ),
-            ("brake_power", unit::WATT, "Tread brake heat into the wheel; ignored by model paper"),
-        ] {
-            input(signal, unit, description);
-        }
+            brake_power: input(
+                "brake_power",
+                unit::WATT,
+                "Tread brake heat into the wheel; used by model energy",
+            ),
+            name: String::new(),
+        };
         Self { name, ..signals }
     }
 
@@ -154,6 +205,9 @@ impl WheelSignals {
                 a: values[self.a],
                 b: values[self.b],
             },
+            friction_power: values[self.friction_power],
+            lateral_position: values[self.lateral_position],
+            brake_power: values[self.brake_power],
         }
     }
 }
@@ -183,10 +237,12 @@ impl OutputSignals {
         let probes = (1..=shape.probes.len())
             .map(|p| ProbeSignals::declare(p, shape.probes[p - 1], &levels, declaration))
             .collect();
+        let energy = EnergyOutputSignals::declare(shape, declaration);
         let mut output = |name: &str, unit, description: &str| {
             declaration.real(name, unit, description).output()
         };
         Self {
+            energy,
             highest,
             probes,
             highest_flash: output(
@@ -207,7 +263,7 @@ impl OutputSignals {
             imposed: output(
                 "energy.imposed",
                 unit::JOULE,
-                "Heat since the start by surface temperatures that wheels imposed",
+                "Heat since the start by surface temperatures that wheels imposed; zero in model energy",
             ),
             weather: output(
                 "energy.weather",

@@ -21,6 +21,12 @@ pub struct Wheel {
     pub creepage: f64,
     /// Contact with the rail.
     pub contact: Contact,
+    /// Friction power of the contact, W.
+    pub friction_power: f64,
+    /// Place of the contact on the head, to the right of its middle, m.
+    pub lateral_position: f64,
+    /// Heat of the tread brake into the wheel, W.
+    pub brake_power: f64,
 }
 
 /// The elements between two chainages, in whichever order; none when all of it lies outside.

@@ -152,6 +152,35 @@ fn property_a_passing_wheel_warms_the_probe() {
     assert!(error.abs() < 1e-10 * imposed);
 }
 
+/// `model = "energy"` through its variables: the heat at the probe is that of the friction power, and a
+/// saved and restored run gives the same bits.
+#[test]
+fn property_the_energy_model_runs_as_an_fmu() {
+    let mut bench = Bench::new();
+    let model = bench.reference("model");
+    bench.instance.set_string(&[model], ["energy"]).unwrap();
+    bench.set("section.cell_size", 0.012);
+    bench.set("wheel.contact_quality", 0.0);
+    bench.set("rail.loss_factor", 0.0);
+    bench.start().unwrap();
+    for wheel in ["vehicle[1].wheelset[1]", "vehicle[1].wheelset[2]", "vehicle[2].wheelset[1]"] {
+        bench.set(&format!("{wheel}.friction_power"), 1667.0);
+    }
+    bench.steps(0, 200);
+    let bytes = bench.instance.save().unwrap().to_bytes();
+    bench.steps(200, 300);
+    // All three wheels have passed; each leaves half of 100 J/m.
+    let (friction, stored) = (bench.get("probe[1].heat.friction"), bench.get("energy.stored"));
+    assert!((friction / 150.0 - 1.0).abs() < 1e-11, "{friction} J/m");
+    assert!((bench.get("foot.detection.time"), bench.get("foot.highest.time")) == (-1.0, 3.0));
+    assert!(bench.get("probe[1].surface.rise") > 0.0);
+    assert!(bench.get("energy.error").abs() < 1e-9 * bench.get("energy.friction"));
+    let state = bench.instance.deserialize_state(&bytes).unwrap();
+    bench.instance.restore(&state).unwrap();
+    bench.steps(200, 300);
+    assert_eq!(bench.get("energy.stored"), stored);
+}
+
 #[test]
 fn property_the_field_file_holds_the_run() {
     let mut bench = Bench::new();
@@ -171,6 +200,46 @@ fn property_the_field_file_holds_the_run() {
     let snapshot = reader.at_time(0.4).unwrap().rise;
     let at_probe = snapshot[300 * 34];
     assert!(at_probe > 1.0, "30.05 m was passed after 0.12 s: {at_probe}");
+}
+
+/// What a field that can no longer be written does to the run is the user's choice.
+#[test]
+fn a_field_that_cannot_be_written_stops_the_run_or_not() {
+    for (choice, goes_on) in [("stop", false), ("go_on", true)] {
+        let mut bench = Bench::new();
+        let path = bench.folder.path().join("rail.zarr");
+        let references = [bench.reference("field_file"), bench.reference("field_failure")];
+        bench.instance.set_string(&references, [path.to_str().unwrap(), choice]).unwrap();
+        bench.set("field_interval", 0.02);
+        bench.start().unwrap();
+        bench.instance.set_debug_logging(true, &[]).unwrap();
+        fs::remove_dir_all(&path).unwrap();
+        fs::write(&path, "a file where the store was").unwrap();
+        let result = bench.step(0.0, 0.02, 28.0);
+        assert_eq!(result.is_ok(), goes_on, "{choice}: {result:?}");
+        if goes_on {
+            bench.step(0.02, 0.02, 28.3).unwrap();
+        }
+        let messages = bench.messages.lock().unwrap().clone();
+        let told = messages.iter().filter(|text| text.contains("goes on without")).count();
+        assert_eq!(told, usize::from(goes_on), "{messages:?}");
+    }
+}
+
+#[test]
+fn the_weather_file_takes_the_place_of_the_inputs() {
+    let mut bench = Bench::new();
+    let path = bench.folder.path().join("day.csv");
+    let header = railheat::weather_file::HEADER;
+    fs::write(&path, format!("{header}\n0,10,0,0,0,0,0\n100,30,0,0,0,0,0\n")).unwrap();
+    let references = [bench.reference("model"), bench.reference("weather_file")];
+    bench.instance.set_string(&references, ["energy", path.to_str().unwrap()]).unwrap();
+    bench.set("section.cell_size", 0.012);
+    bench.start().unwrap();
+    bench.instance.do_step(0.0, 50.0).unwrap();
+    assert!(bench.get("untouched.surface.rise") > 0.0, "the air has become warmer");
+    let sentence = chain(&bench.instance.do_step(50.0, 200.0).unwrap_err());
+    assert!(sentence.contains("from 0 s to 100 s, but the run needs 150 s"), "{sentence}");
 }
 
 /// The state goes on bit for bit; the file stays as it is until the run is past its last snapshot.
@@ -228,7 +297,36 @@ fn wrong_parameters_are_named() {
     let mut bench = Bench::new();
     let reference = bench.reference("model");
     bench.instance.set_string(&[reference], ["magic"]).unwrap();
-    assert!(bench.start().unwrap_err().contains("model = \"magic\": must be \"paper\""));
+    assert!(
+        bench.start().unwrap_err().contains("model = \"magic\": must be \"paper\" or \"energy\"")
+    );
+}
+
+#[test]
+fn wrong_parameters_of_the_energy_model_are_named() {
+    for (name, value, wanted) in [
+        ("section.cell_size", 0.0, "section.cell_size = 0: must be greater than zero"),
+        ("section.cell_size", 0.001, "cells: from 2 to 1500 are possible"),
+        ("wheel.contact_quality", 2.0, "wheel.contact_quality = 2: must be from 0 to 1"),
+        ("material.specific_heat", 0.0, "material.specific_heat = 0: must be greater than zero"),
+    ] {
+        let mut bench = Bench::new();
+        let model = bench.reference("model");
+        bench.instance.set_string(&[model], ["energy"]).unwrap();
+        bench.set(name, value);
+        let sentence = bench.start().unwrap_err();
+        assert!(sentence.contains(wanted), "{name}: {sentence}");
+    }
+    for (name, value, wanted) in [
+        ("section.rail", "/no/rail.toml", "AS60, 60E1 and 136RE"),
+        ("section.model", "3d", "section.model = \"3d\": must be"),
+    ] {
+        let mut bench = Bench::new();
+        let references = [bench.reference("model"), bench.reference(name)];
+        bench.instance.set_string(&references, ["energy", value]).unwrap();
+        let sentence = bench.start().unwrap_err();
+        assert!(sentence.contains(wanted), "{name}: {sentence}");
+    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The model as an FMU.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -88,8 +89,8 @@ impl Model for Vehicle {
         Ok(())
     }
 
-    fn state(&self) -> &State {
-        &self.dynamics.state
+    fn state(&self) -> Cow<'_, State> {
+        Cow::Borrowed(&self.dynamics.state)
     }
 
     fn restore(&mut self, state: State) {

@@ -99,7 +99,7 @@ fn the_interface_has_the_names_of_the_design() {
 fn property_steps_and_restored_states_give_the_same_bits() {
     let mut bench = Bench::new(resources("bits", LOCOMOTIVE)).unwrap();
     let mut vehicle = bench.start().unwrap();
-    let begin = vehicle.state().clone();
+    let begin = vehicle.state().into_owned();
     bench.step(&mut vehicle, 1e-3).unwrap();
     bench.step(&mut vehicle, 1e-3).unwrap();
     let twice = bench.reals();

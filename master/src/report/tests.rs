@@ -77,6 +77,7 @@ fn write_field(store: &Path) {
 
 fn facts() -> RunFacts {
     RunFacts {
+        train_alone: false,
         title: "Curve <test> & more".to_owned(),
         vehicles: VEHICLES,
         locomotives: (1..=LOCOMOTIVES).collect(),

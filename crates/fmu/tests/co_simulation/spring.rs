@@ -1,5 +1,6 @@
 //! A mass on a spring, driven by a force, that can fail on request.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use fmu::{
@@ -144,8 +145,8 @@ impl Model for Spring {
         Ok(())
     }
 
-    fn state(&self) -> &State {
-        &self.state
+    fn state(&self) -> Cow<'_, State> {
+        Cow::Borrowed(&self.state)
     }
 
     fn restore(&mut self, state: State) {

@@ -50,7 +50,7 @@ pub fn parameters() -> Parameters {
 
 /// A wheel with enough creepage for a flash rise of about 20 K.
 pub fn wheel(position: f64) -> Wheel {
-    Wheel { position, speed: SPEED, creepage: 0.003, contact: CONTACT }
+    Wheel { position, speed: SPEED, creepage: 0.003, contact: CONTACT, ..Wheel::default() }
 }
 
 /// Runs wheels that stand at `at(0)` to `at(steps)` with a step of `length` in s.

@@ -6,6 +6,10 @@
 
 mod common;
 mod conduction;
+mod effects;
+mod energy;
+mod energy_common;
 mod flash;
 mod paper;
+mod section;
 mod weather;

@@ -1,0 +1,77 @@
+//! Where on the head a contact's heat goes.
+//!
+//! The heat of a contact of half width b at the lateral place y spreads over the running surface
+//! as full slip in a Hertz contact does. Summed along the rail, the semi-ellipsoid of the flux is
+//! a parabola, 1-(s/b)², whose share left of s is
+//!
+//! ```text
+//! F(s) = 1/2 + 3/4 (s/b) - 1/4 (s/b)³
+//! ```
+//!
+//! A band that would reach beyond the running surface is moved inwards, so that no heat is lost.
+
+use crate::section::{Cells, Facet, Modes};
+
+/// Depth to which the head's surface counts as running surface, m: to the gauge point.
+const RUNNING_DEPTH: f64 = 0.016;
+
+/// The running surface: strips from left to right, a cell behind each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crown {
+    /// Ends of the strips, m; one more than strips.
+    ends: Vec<f64>,
+    /// Strip after strip the modes of its cell.
+    shapes: Vec<f64>,
+    width: usize,
+}
+
+impl Crown {
+    /// The running surface of a section.
+    pub fn new(cells: &Cells, modes: &Modes) -> Self {
+        let upwards = |facet: &&Facet| facet.normal.z < 0.0 && facet.middle().z < RUNNING_DEPTH;
+        let mut facets: Vec<&Facet> = cells.facets.iter().filter(upwards).collect();
+        facets.sort_by(|a, b| a.middle().y.total_cmp(&b.middle().y));
+        let mut crown = Self { ends: vec![], shapes: vec![], width: modes.width() };
+        let mut last = usize::MAX;
+        for facet in facets {
+            let [a, b] = facet.ends.map(|end| end.y);
+            if facet.cell == last {
+                crown.ends.pop();
+            } else {
+                if crown.ends.is_empty() {
+                    crown.ends.push(a.min(b));
+                }
+                crown.shapes.extend_from_slice(modes.at(facet.cell));
+                last = facet.cell;
+            }
+            crown.ends.push(a.max(b));
+        }
+        crown
+    }
+
+    /// The strips that a band covers with their share of its heat.
+    fn shares(&self, lateral: f64, half_width: f64) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let (left, right) = (self.ends[0], self.ends[self.ends.len() - 1]);
+        let half_width = half_width.min(0.5 * (right - left));
+        let middle = lateral.clamp(left + half_width, right - half_width);
+        let part = move |end: f64| {
+            let s = ((end - middle) / half_width).clamp(-1.0, 1.0);
+            0.75 * s - 0.25 * s * s * s
+        };
+        let last = self.ends.len() - 2;
+        (0..=last).filter_map(move |strip| {
+            // The outermost strips reach as far as the band does.
+            let from = if strip == 0 { -0.5 } else { part(self.ends[strip]) };
+            let to = if strip == last { 0.5 } else { part(self.ends[strip + 1]) };
+            (to > from).then_some((strip, to - from))
+        })
+    }
+
+    /// Adds the amplitudes by heat in J/m in a band of this lateral place and half width, m.
+    pub fn add(&self, amplitudes: &mut [f64], heat: f64, lateral: f64, half_width: f64) {
+        for (strip, share) in self.shares(lateral, half_width) {
+            let shape = &self.shapes[strip * self.width..][..self.width];
+            crate::section::add(amplitudes, heat * share, shape);
+        }
+    }
+}

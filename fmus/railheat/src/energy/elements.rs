@@ -1,0 +1,213 @@
+//! What each element of the rail has more than untouched rail.
+//!
+//! Elements that no wheel has touched have nothing more and cost nothing. The others have the
+//! amplitudes of the section's modes. Heat that comes in between two steps is gathered and spread
+//! evenly over the step (second order in its length, and exact in its sum).
+
+use serde::{Deserialize, Serialize};
+
+use super::crown::Crown;
+use super::ledger::Sources;
+use super::propagator::Propagator;
+use crate::section::{Modes, add, dot};
+use crate::wheels::Wheel;
+
+/// What an element gets between two steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Deposit {
+    /// Heat through contacts, J/m.
+    pub contact: f64,
+    /// The same weighted by its size: how much there is to place.
+    pub weight: f64,
+    /// Weight times lateral place, J.
+    pub lateral: f64,
+    /// Weight times half width, J.
+    pub half_width: f64,
+    /// Heat of bending, J/m.
+    pub bending: f64,
+    /// Time in the shade of a vehicle, s.
+    pub shaded: f64,
+}
+
+/// Where on the head a contact is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// To the right of the rail's middle, m.
+    pub lateral: f64,
+    /// Half its width, m.
+    pub half_width: f64,
+}
+
+impl From<&Wheel> for Place {
+    fn from(wheel: &Wheel) -> Self {
+        Self { lateral: wheel.lateral_position, half_width: wheel.contact.b }
+    }
+}
+
+/// Weather that touched elements feel more than untouched rail.
+#[derive(Clone, Debug)]
+pub struct Extra {
+    /// Heat that the shade of a vehicle takes in the modes, J/m per second.
+    pub shade: Vec<f64>,
+    /// Sum of it over the section, W/m.
+    pub shade_heat: f64,
+    /// Share of each mode in the mean rise of the exposed surface.
+    pub mean: Vec<f64>,
+    /// Conductance in all of the exposed surface that the modes do not have, W/(m·K).
+    pub conductance: f64,
+    /// The same by the wind of a train, for elements under it.
+    pub train_wind: f64,
+    /// Mean excess of untouched surface over the air, K.
+    pub over_air: f64,
+}
+
+impl Extra {
+    /// The weather of the start, with the share of each mode in the mean rise of the surface.
+    pub fn none(mean: Vec<f64>) -> Self {
+        Self {
+            shade: vec![0.0; mean.len()],
+            shade_heat: 0.0,
+            conductance: 0.0,
+            train_wind: 0.0,
+            over_air: 0.0,
+            mean,
+        }
+    }
+}
+
+/// The part of the constants that a step of the elements needs.
+pub(crate) struct Section<'m> {
+    pub modes: &'m Modes,
+    pub crown: &'m Crown,
+    pub bending: &'m [f64],
+    pub propagator: &'m Propagator,
+    pub extra: &'m Extra,
+}
+
+/// All elements.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Elements {
+    width: usize,
+    /// Element after element.
+    amplitudes: Vec<f64>,
+    touched: Vec<bool>,
+    deposits: Vec<Deposit>,
+    /// Heat by source, J/m, beyond what untouched rail got.
+    sources: Vec<Sources>,
+}
+
+impl Elements {
+    /// So many elements with so many amplitudes.
+    pub fn new(elements: usize, width: usize) -> Self {
+        Self {
+            width,
+            amplitudes: vec![0.0; elements * width],
+            touched: vec![false; elements],
+            deposits: vec![Deposit::default(); elements],
+            sources: vec![Sources::default(); elements],
+        }
+    }
+
+    /// Number of elements.
+    pub fn count(&self) -> usize {
+        self.touched.len()
+    }
+
+    /// Whether something has touched an element.
+    pub fn is_touched(&self, element: usize) -> bool {
+        self.touched[element]
+    }
+
+    /// A contact leaves heat in an element of a length in m; `left` is in J.
+    pub fn leave(&mut self, element: usize, place: &Place, left: Sources, length: f64) {
+        self.touched[element] = true;
+        let deposit = &mut self.deposits[element];
+        let contact = (left.friction + left.chill) / length;
+        let weight = (left.friction.abs() + left.chill.abs()) / length;
+        deposit.contact += contact;
+        deposit.weight += weight;
+        deposit.lateral += weight * place.lateral;
+        deposit.half_width += weight * place.half_width;
+        deposit.bending += left.bending / length;
+        let sources = &mut self.sources[element];
+        sources.friction += left.friction / length;
+        sources.chill += left.chill / length;
+        sources.bending += left.bending / length;
+    }
+
+    /// An element lies under a vehicle for a time in s.
+    pub fn cover(&mut self, element: usize, time: f64) {
+        self.touched[element] = true;
+        self.deposits[element].shaded += time;
+    }
+
+    /// The amplitudes of an element.
+    pub fn amplitudes(&self, element: usize) -> &[f64] {
+        &self.amplitudes[element * self.width..][..self.width]
+    }
+
+    /// Heat by source of an element beyond untouched rail, J/m.
+    pub fn sources(&self, element: usize) -> Sources {
+        self.sources[element]
+    }
+
+    /// Heat in an element beyond untouched rail, J/m.
+    pub fn heat(&self, element: usize, modes: &Modes) -> f64 {
+        let deposit = &self.deposits[element];
+        dot(&modes.content, self.amplitudes(element)) + deposit.contact + deposit.bending
+    }
+
+    /// One step of an element; `source` is scratch.
+    pub(crate) fn step(&mut self, element: usize, section: &Section<'_>, source: &mut [f64]) {
+        let Section { modes, propagator, .. } = section;
+        let amplitudes = &mut self.amplitudes[element * self.width..][..self.width];
+        let deposit = std::mem::take(&mut self.deposits[element]);
+        let mut lost = dot(&propagator.lost, amplitudes);
+        let (heat, weather) = fill(source, &deposit, section, amplitudes);
+        propagator.decay(amplitudes);
+        if heat.is_some() {
+            lost += dot(&propagator.lost_at_once, source);
+            propagator.add(amplitudes, source);
+        }
+        // What modes that are left out would hold, the surroundings have at once.
+        let dropped = heat.map_or(0.0, |heat| heat - dot(&modes.content, source));
+        self.sources[element].weather += weather - lost - dropped;
+    }
+}
+
+/// Fills the sources of the modes over a step, J/m. Gives the heat of all, if there is any, and
+/// that of the weather among it.
+fn fill(
+    source: &mut [f64],
+    deposit: &Deposit,
+    section: &Section<'_>,
+    amplitudes: &[f64],
+) -> (Option<f64>, f64) {
+    let Section { extra, propagator, .. } = section;
+    let covered = if deposit.shaded > 0.0 { extra.train_wind } else { 0.0 };
+    if *deposit == Deposit::default() && extra.conductance == 0.0 {
+        return (None, 0.0);
+    }
+    source.fill(0.0);
+    let mut weather = 0.0;
+    if deposit.weight > 0.0 {
+        let lateral = deposit.lateral / deposit.weight;
+        let half_width = deposit.half_width / deposit.weight;
+        section.crown.add(source, deposit.contact, lateral, half_width);
+    }
+    if deposit.bending != 0.0 {
+        add(source, deposit.bending, section.bending);
+    }
+    if deposit.shaded > 0.0 && extra.shade_heat != 0.0 {
+        add(source, -deposit.shaded, &extra.shade);
+        weather -= deposit.shaded * extra.shade_heat;
+    }
+    if extra.conductance != 0.0 || covered != 0.0 {
+        let rise = dot(&extra.mean, amplitudes);
+        let heat = -propagator.time() * extra.conductance * rise
+            - deposit.shaded * covered * (rise + extra.over_air);
+        add(source, heat, &extra.mean);
+        weather += heat;
+    }
+    (Some(deposit.contact + deposit.bending + weather), weather)
+}

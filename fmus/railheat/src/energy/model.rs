@@ -1,0 +1,232 @@
+//! What happens in which order.
+//!
+//! In every conduction interval
+//! 1. the wheels leave heat of friction, conduction and bending in the elements they pass, and
+//!    change their own temperature;
+//! 2. untouched rail feels the weather;
+//! 3. the elements that were touched conduct their excess over untouched rail.
+//!
+//! A step of the co-simulation may be shorter or longer than the interval. Without wheels on the
+//! rail the intervals are up to [`LONGEST_IDLE`] and reach the end of the step: the modes decay
+//! exactly.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+use super::answer::Answer;
+use super::crown::Crown;
+use super::elements::{Elements, Extra, Section};
+use super::ledger::{Ledger, Sources};
+use super::light::Light;
+use super::parameters::Parameters;
+use super::propagator::Propagator;
+use super::readings::Readings;
+use super::untouched::{self, Untouched};
+use super::weather::Weather;
+use crate::paper::Stray;
+use crate::rail::Highest;
+use crate::section::{Modes, dot};
+use crate::wheels::Wheel;
+
+/// Slack in comparing times, s: steps are sums of rounded numbers.
+const SAME_TIME: f64 = 1e-9;
+
+/// Longest interval without wheels, s.
+pub const LONGEST_IDLE: f64 = 60.0;
+
+/// All that changes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    pub(super) elements: Elements,
+    pub(super) untouched: untouched::State,
+    /// Until when heat has been conducted, s.
+    pub(super) conducted: f64,
+    /// Where each wheel was at the end of the last step, m.
+    pub(super) positions: Vec<Option<f64>>,
+    /// Temperature of each wheel, K.
+    pub(super) wheels: Vec<f64>,
+    pub(super) ledger: Ledger,
+    pub(super) highest: Vec<Highest>,
+    pub(super) highest_flash: f64,
+    pub(super) answer: Answer,
+    pub(super) stray_told: bool,
+}
+
+/// The model of one rail.
+pub struct Energy {
+    pub(super) parameters: Parameters,
+    pub(super) modes: Modes,
+    pub(super) crown: Crown,
+    pub(super) readings: Readings,
+    /// Amplitudes by bending heat of 1 J/m.
+    pub(super) bending: Vec<f64>,
+    pub(super) untouched: Untouched,
+    pub(super) propagator: Propagator,
+    pub(super) extra: Extra,
+    /// Conductance to the air that the modes have, W/(m²·K).
+    pub(super) in_modes: f64,
+    pub(super) light: Light,
+    /// Wheels of each vehicle.
+    pub(super) vehicles: Vec<Range<usize>>,
+    /// Excess of the crown of each element when heat was conducted last, K.
+    pub(super) surface: Vec<f64>,
+    /// Where each loaded wheel is when heat is conducted, m.
+    pub(super) places: Vec<Option<f64>>,
+    pub(super) source: Vec<f64>,
+    pub(super) state: State,
+}
+
+impl Energy {
+    /// One step with the wheels as they are at its end and the weather meanwhile. Before the
+    /// first step a wheel is taken to have come with its speed.
+    ///
+    /// The first wheel that stands outside the modelled track is told of, once in a run.
+    pub fn step(
+        &mut self,
+        wheels: &[Wheel],
+        weather: &Weather,
+        start: f64,
+        length: f64,
+    ) -> Option<Stray> {
+        for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
+            position.get_or_insert(wheel.position - wheel.speed * length);
+        }
+        self.state.highest_flash = self.flash(wheels);
+        let interval = self.interval(wheels, start + length);
+        let mut done = 0.0;
+        loop {
+            let next = self.state.conducted + interval;
+            if next > start + length + SAME_TIME {
+                break;
+            }
+            let share = ((next - start) / length).clamp(done, 1.0);
+            self.pass(wheels, weather, length, done, share);
+            self.conduct(wheels, weather, next, share);
+            done = share;
+        }
+        if done < 1.0 {
+            self.pass(wheels, weather, length, done, 1.0);
+        }
+        for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
+            *position = Some(wheel.position);
+        }
+        self.stray(wheels)
+    }
+
+    /// Length of the conduction intervals of a step that ends at `end`: without wheels on the rail
+    /// a whole number of them reaches it.
+    fn interval(&self, wheels: &[Wheel], end: f64) -> f64 {
+        let interval = self.parameters.interval;
+        let left = end - self.state.conducted;
+        if left < interval || self.any_wheel(wheels) {
+            return interval;
+        }
+        left / (left / LONGEST_IDLE.max(interval)).ceil()
+    }
+
+    /// Highest flash rise of the wheels on the rail.
+    fn flash(&self, wheels: &[Wheel]) -> f64 {
+        let Parameters { wheel: heat, material, line, .. } = &self.parameters;
+        let on_line = wheels.iter().filter(|wheel| line.element(wheel.position).is_some());
+        on_line.map(|wheel| heat.flash(wheel, material)).fold(0.0, f64::max)
+    }
+
+    /// Whether a wheel is or was on the modelled rail in this step.
+    fn any_wheel(&self, wheels: &[Wheel]) -> bool {
+        let line = &self.parameters.line;
+        let on_line = |position: f64| line.element(position).is_some();
+        wheels.iter().zip(&self.state.positions).any(|(wheel, before)| {
+            wheel.contact.normal_force > 0.0
+                && (on_line(wheel.position) || before.is_some_and(on_line))
+        })
+    }
+
+    /// The wheels go from one share of the step to another and leave heat where they pass.
+    fn pass(&mut self, wheels: &[Wheel], weather: &Weather, length: f64, from: f64, to: f64) {
+        let Parameters { line, material, wheel: heat, beam, .. } = &self.parameters;
+        let time = length * (to - from);
+        let rail = self.untouched.initial_crown()
+            + dot(self.readings.surface(), &self.state.untouched.amplitudes);
+        for (index, wheel) in wheels.iter().enumerate() {
+            let temperature = self.state.wheels[index];
+            let mut gained = heat.gain(wheel, temperature, weather.ambient, time);
+            if wheel.contact.normal_force > 0.0 {
+                let begin = self.state.positions[index].unwrap_or(wheel.position);
+                let way =
+                    (between(begin, wheel.position, from), between(begin, wheel.position, to));
+                let friction = heat.partition * wheel.friction_power * time;
+                let conductance = heat.conductance(wheel, material) * time;
+                let bending = beam.hysteresis(wheel.contact.normal_force) * (way.1 - way.0).abs();
+                for (element, share) in line.shares(way.0, way.1) {
+                    let over = temperature - rail - self.surface[element];
+                    let left = Sources {
+                        friction: friction * share,
+                        chill: conductance * over * share,
+                        bending: bending * share,
+                        weather: 0.0,
+                    };
+                    gained -= left.chill;
+                    self.state.elements.leave(element, &wheel.into(), left, line.element_length);
+                }
+            }
+            self.state.wheels[index] += gained / heat.capacity;
+        }
+    }
+
+    /// Weather and conduction until a time, at which the wheels have done a share of the step.
+    fn conduct(&mut self, wheels: &[Wheel], weather: &Weather, until: f64, share: f64) {
+        let time = until - self.state.conducted;
+        let begins = &self.state.positions;
+        for ((place, wheel), begin) in self.places.iter_mut().zip(wheels).zip(begins) {
+            let loaded = begin.filter(|_| wheel.contact.normal_force > 0.0);
+            *place = loaded.map(|begin| between(begin, wheel.position, share));
+        }
+        self.cover(time);
+        self.light.shine(&self.parameters, &self.untouched, weather);
+        self.propagator.set_time(&self.modes, time);
+        self.untouched.step(
+            &mut self.state.untouched,
+            &self.modes,
+            weather,
+            &self.light.absorbed,
+            time,
+        );
+        self.weigh(wheels, weather);
+        let section = Section {
+            modes: &self.modes,
+            crown: &self.crown,
+            bending: &self.bending,
+            propagator: &self.propagator,
+            extra: &self.extra,
+        };
+        let elements = &mut self.state.elements;
+        for element in 0..elements.count() {
+            if elements.is_touched(element) {
+                elements.step(element, &section, &mut self.source);
+            }
+        }
+        self.state.conducted = until;
+        self.read();
+        self.find();
+    }
+
+    /// The first wheel that is outside the modelled track, if none was told of before.
+    fn stray(&mut self, wheels: &[Wheel]) -> Option<Stray> {
+        if self.state.stray_told {
+            return None;
+        }
+        let line = &self.parameters.line;
+        let is_stray = |wheel: &Wheel| {
+            wheel.contact.normal_force > 0.0 && line.element(wheel.position).is_none()
+        };
+        let wheel = wheels.iter().position(is_stray)?;
+        self.state.stray_told = true;
+        Some(Stray { wheel, position: wheels[wheel].position })
+    }
+}
+
+/// The place between two at a share of the way; exactly the last one at the end.
+fn between(begin: f64, end: f64, share: f64) -> f64 {
+    if share < 1.0 { begin + share * (end - begin) } else { end }
+}

@@ -1,0 +1,117 @@
+//! All constants of the model.
+
+use super::bending::Beam;
+use super::weather::Exchange;
+use super::wheels::WheelHeat;
+use crate::material::Material;
+use crate::section::Outline;
+
+/// How the section is resolved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Resolution {
+    /// One cell a row: area by depth.
+    Column,
+    /// Cells over depth and width.
+    Plane,
+}
+
+/// How the rail is cut along the track.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Chainage at which the first element begins, m.
+    pub begin: f64,
+    /// Length of an element, m.
+    pub element_length: f64,
+    /// Number of elements.
+    pub elements: usize,
+}
+
+impl Line {
+    /// Chainage at which the last element ends, m.
+    pub fn end(&self) -> f64 {
+        self.begin + self.elements as f64 * self.element_length
+    }
+
+    /// Chainage of the middle of an element, m.
+    pub fn chainage(&self, element: usize) -> f64 {
+        self.begin + (element as f64 + 0.5) * self.element_length
+    }
+
+    /// The element at a chainage, if it is modelled.
+    pub fn element(&self, chainage: f64) -> Option<usize> {
+        let place = (chainage - self.begin) / self.element_length;
+        (place >= 0.0 && place < self.elements as f64).then_some(place as usize)
+    }
+
+    /// The elements that a way covers, with the share of it in each. A point is a way too.
+    pub fn shares(&self, from: f64, to: f64) -> impl Iterator<Item = (usize, f64)> {
+        let Self { begin, element_length, elements } = *self;
+        let (low, high) = if from <= to { (from, to) } else { (to, from) };
+        let place = |chainage: f64| (chainage - begin) / element_length;
+        let (low, high) = (place(low), place(high));
+        let way = high - low;
+        let first = low.max(0.0) as usize;
+        let last = (high.max(-1.0) + 1.0).min(elements as f64) as usize;
+        (first..last).filter_map(move |element| {
+            let (start, end) = (element as f64, element as f64 + 1.0);
+            if way > 0.0 {
+                let part = high.min(end) - low.max(start);
+                return (part > 0.0).then_some((element, part / way));
+            }
+            (low >= start && low < end).then_some((element, 1.0))
+        })
+    }
+}
+
+/// State of the rail at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Start {
+    /// One temperature, K.
+    Uniform(f64),
+    /// In equilibrium with the weather at the start.
+    Equilibrium,
+}
+
+/// What the train does to the weather.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TrainWeather {
+    /// Whether the vehicles shade the rail.
+    pub shade: bool,
+    /// Wind at the rail under the train over the train's speed.
+    pub wind_share: f64,
+    /// How far a vehicle reaches beyond its first and last wheel, m.
+    pub overhang: f64,
+}
+
+/// All constants of the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// How the rail is cut along the track.
+    pub line: Line,
+    /// Outline of the rail.
+    pub outline: Outline,
+    /// How the section is resolved.
+    pub resolution: Resolution,
+    /// Size of its cells, m.
+    pub cell_size: f64,
+    /// Modes that decay faster are left out, s.
+    pub shortest: f64,
+    /// Step of the conduction while there are wheels on the rail, s.
+    pub interval: f64,
+    /// Steel.
+    pub material: Material,
+    /// Wheels.
+    pub wheel: WheelHeat,
+    /// Beam, for the effects of bending.
+    pub beam: Beam,
+    /// Exchange with the weather.
+    pub exchange: Exchange,
+    /// What the train does to the weather.
+    pub train: TrainWeather,
+    /// State at the start.
+    pub start: Start,
+    /// Depths at which the rise is read besides surface and foot, m.
+    pub depths: Vec<f64>,
+    /// Rise of the foot that a camera can see, K.
+    pub threshold: f64,
+}

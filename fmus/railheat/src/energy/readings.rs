@@ -1,0 +1,76 @@
+//! Where in the section the rise is read: on its middle line, linear between the middles of rows.
+
+use crate::section::{Cells, Modes};
+
+/// Half width of the band on the crown over which the surface is read, m.
+const BAND: f64 = 0.015;
+
+/// Rows of shapes: a product with an element's amplitudes is the rise, K.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Readings {
+    /// Surface, the depths asked for, foot.
+    pub levels: Vec<Vec<f64>>,
+    /// The middle line, row after row from the crown.
+    pub rows: Vec<Vec<f64>>,
+    /// Depth of the middle of each row, m.
+    pub depths: Vec<f64>,
+}
+
+impl Readings {
+    /// The rows of a section, and the levels at `depths` in m.
+    pub fn new(cells: &Cells, modes: &Modes, depths: &[f64]) -> Self {
+        let middles: Vec<Vec<(usize, f64)>> =
+            (0..cells.rows).map(|row| middle_of_row(cells, row)).collect();
+        let step = cells.height / cells.rows as f64;
+        let last = cells.rows - 1;
+        let at_depth = |depth: &f64| {
+            let place = (depth / step - 0.5).clamp(0.0, last as f64);
+            let above = place as usize;
+            let share = place - above as f64;
+            let mix = |row: usize, weight: f64| {
+                middles[row].iter().map(move |(cell, part)| (*cell, part * weight))
+            };
+            modes.weighted(mix(above, 1.0 - share).chain(mix((above + 1).min(last), share)))
+        };
+        let levels = std::iter::once(modes.weighted(crown(cells)))
+            .chain(depths.iter().map(at_depth))
+            .chain([modes.weighted(middles[last].iter().copied())])
+            .collect();
+        Self {
+            levels,
+            rows: middles.iter().map(|row| modes.weighted(row.iter().copied())).collect(),
+            depths: (0..cells.rows).map(|row| (row as f64 + 0.5) * step).collect(),
+        }
+    }
+
+    /// The shapes at the surface.
+    pub fn surface(&self) -> &[f64] {
+        &self.levels[0]
+    }
+
+    /// The shapes at the foot's underside.
+    pub fn foot(&self) -> &[f64] {
+        &self.levels[self.levels.len() - 1]
+    }
+}
+
+/// The cells of a row nearest to the middle line, with equal weights.
+fn middle_of_row(cells: &Cells, row: usize) -> Vec<(usize, f64)> {
+    let in_row = || cells.cells.iter().enumerate().filter(|(_, cell)| cell.row == row);
+    let distance = in_row().map(|(_, cell)| cell.middle.y.abs()).fold(f64::INFINITY, f64::min);
+    let nearest: Vec<usize> = in_row()
+        .filter(|(_, cell)| cell.middle.y.abs() <= distance + 1e-9)
+        .map(|(place, _)| place)
+        .collect();
+    nearest.iter().map(|place| (*place, 1.0 / nearest.len() as f64)).collect()
+}
+
+/// The cells of the crown's middle band with their shares.
+fn crown(cells: &Cells) -> Vec<(usize, f64)> {
+    let on_band = |facet: &&crate::section::Facet| {
+        facet.normal.z < 0.0 && facet.middle().y.abs() < BAND && facet.middle().z < 0.016
+    };
+    let facets: Vec<_> = cells.facets.iter().filter(on_band).collect();
+    let length: f64 = facets.iter().map(|facet| facet.length).sum();
+    facets.iter().map(|facet| (facet.cell, facet.length / length)).collect()
+}

@@ -1,0 +1,257 @@
+//! The FMU's parameters that only `model = "energy"` uses.
+
+use fmu::{Boolean, Declaration, ModelError, Real, Text, Values, unit};
+
+use crate::energy::bending::Beam;
+use crate::energy::parameters::{Line, Parameters, Resolution, Start, TrainWeather};
+use crate::energy::weather::Exchange;
+use crate::energy::wheels::WheelHeat;
+use crate::parameters::{ParameterSignals, not_negative, positive, share, whole, wrong};
+use crate::section::RailFile;
+
+/// Most elements along the track.
+const MOST_ELEMENTS: f64 = 1e6;
+
+/// Handles of the parameters.
+#[derive(Debug)]
+pub(crate) struct EnergyParameterSignals {
+    rail: Text,
+    resolution: Text,
+    cell_size: Real,
+    shortest: Real,
+    interval: Real,
+    threshold: Real,
+    cold_sky: Boolean,
+    pad: Real,
+    track_azimuth: Real,
+    shade: Boolean,
+    wind_share: Real,
+    overhang: Real,
+    wheel_capacity: Real,
+    wheel_cooling: Real,
+    wheel_rise: Real,
+    contact_quality: Real,
+    modulus: Real,
+    track_modulus: Real,
+    expansion: Real,
+    loss_factor: Real,
+}
+
+impl EnergyParameterSignals {
+    pub(crate) fn declare(declaration: &mut Declaration) -> Self {
+        let rail = declaration.text_parameter(
+            "section.rail",
+            "Rail section of model energy: AS60, 60E1, 136RE or the path of a rail file",
+            "AS60",
+        );
+        let resolution = declaration.text_parameter(
+            "section.model",
+            "Section of model energy: \"2d\" or \"column\" (area by depth)",
+            "2d",
+        );
+        let shade = declaration.boolean_parameter(
+            "train.shade",
+            "Whether the vehicles keep the sun off the rail",
+            true,
+        );
+        let cold_sky = declaration.boolean_parameter(
+            "sky.cold",
+            "Whether the sky is colder than the air (Swinbank), as on a clear night",
+            false,
+        );
+        let mut real = |name: &str, unit, description: &str, start: f64| {
+            declaration.real(name, unit, description).min(0.0).parameter(start)
+        };
+        Self {
+            rail,
+            resolution,
+            shade,
+            cold_sky,
+            cell_size: real(
+                "section.cell_size",
+                unit::METRE,
+                "Size of the section's cells, about",
+                0.005,
+            ),
+            shortest: real(
+                "section.shortest_time",
+                unit::SECOND,
+                "Modes of the section that decay faster are left out, for speed; the foot then ripples \
+                 for some ten times as long after each wheel; zero: all modes",
+                0.0,
+            ),
+            interval: real(
+                "section.interval",
+                unit::SECOND,
+                "Step of the section's conduction while there are wheels on the rail",
+                1.0,
+            ),
+            threshold: real(
+                "detection.threshold",
+                unit::KELVIN,
+                "Rise of the foot that a camera can see",
+                0.015,
+            ),
+            pad: real(
+                "foot.conductance",
+                unit::WATT_PER_SQUARE_METRE_KELVIN,
+                "Conductance of the foot's underside to the pad; zero: insulated",
+                0.0,
+            ),
+            wind_share: real(
+                "train.wind_share",
+                unit::ONE,
+                "Wind at the rail under the train over the train's speed; zero: none",
+                0.0,
+            ),
+            overhang: real(
+                "train.overhang",
+                unit::METRE,
+                "How far a vehicle reaches beyond its first and last wheel",
+                2.8,
+            ),
+            wheel_capacity: real(
+                "wheel.heat_capacity",
+                unit::JOULE_PER_KELVIN,
+                "Heat capacity of a wheel; about 350 kg",
+                160e3,
+            ),
+            wheel_cooling: real(
+                "wheel.cooling",
+                unit::WATT_PER_KELVIN,
+                "Heat that a wheel gives to the air per time and temperature difference",
+                40.0,
+            ),
+            wheel_rise: real(
+                "wheel.initial_rise",
+                unit::KELVIN,
+                "Temperature of the wheels above the air at the start",
+                0.0,
+            ),
+            contact_quality: real(
+                "wheel.contact_quality",
+                unit::ONE,
+                "Conductance of the contact over that of a perfect one; zero: no rail chill",
+                1.0,
+            ),
+            modulus: real("rail.modulus", unit::PASCAL, "Young's modulus of the rail", 207e9),
+            track_modulus: real(
+                "track.modulus",
+                unit::PASCAL,
+                "Track modulus: force per length of rail and deflection",
+                35e6,
+            ),
+            expansion: real(
+                "rail.expansion",
+                unit::PER_KELVIN,
+                "Coefficient of thermal expansion; zero: no thermoelastic effect",
+                11.5e-6,
+            ),
+            loss_factor: real(
+                "rail.loss_factor",
+                unit::ONE,
+                "Loss factor of the rail's steel; zero: no heat by hysteresis",
+                2e-4,
+            ),
+            track_azimuth: declaration
+                .real(
+                    "track.azimuth",
+                    unit::RADIAN,
+                    "Azimuth of the running direction, from north over east",
+                )
+                .parameter(0.0),
+        }
+    }
+
+    /// The constants of the model, with the depths in m at which the rise is read.
+    pub(crate) fn read(
+        &self,
+        common: &ParameterSignals,
+        values: &Values,
+        depths: &[f64],
+    ) -> Result<Parameters, ModelError> {
+        let rail = RailFile::open(&values[self.rail]).map_err(ModelError::from_error)?;
+        let outline = rail.outline();
+        let of_section = outline.properties();
+        let cell_size = positive("section.cell_size", values[self.cell_size])?;
+        Ok(Parameters {
+            line: line(common, values)?,
+            resolution: self.resolution(values)?,
+            cell_size,
+            shortest: not_negative("section.shortest_time", values[self.shortest])?,
+            interval: positive("section.interval", values[self.interval])?,
+            material: common.material(values)?,
+            wheel: WheelHeat {
+                partition: share("friction.partition", values[common.partition])?,
+                capacity: positive("wheel.heat_capacity", values[self.wheel_capacity])?,
+                cooling: not_negative("wheel.cooling", values[self.wheel_cooling])?,
+                initial_rise: not_negative("wheel.initial_rise", values[self.wheel_rise])?,
+                contact_quality: share("wheel.contact_quality", values[self.contact_quality])?,
+            },
+            beam: Beam {
+                modulus: positive("rail.modulus", values[self.modulus])?,
+                second_moment: of_section.second_moment,
+                to_foot: outline.height() - of_section.centroid,
+                track_modulus: positive("track.modulus", values[self.track_modulus])?,
+                expansion: not_negative("rail.expansion", values[self.expansion])?,
+                loss_factor: not_negative("rail.loss_factor", values[self.loss_factor])?,
+            },
+            exchange: self.exchange(common, values)?,
+            train: TrainWeather {
+                shade: values[self.shade],
+                wind_share: not_negative("train.wind_share", values[self.wind_share])?,
+                overhang: not_negative("train.overhang", values[self.overhang])?,
+            },
+            start: if values[common.equilibrium] {
+                Start::Equilibrium
+            } else {
+                Start::Uniform(positive("initial.temperature", values[common.temperature])?)
+            },
+            depths: depths.to_vec(),
+            threshold: positive("detection.threshold", values[self.threshold])?,
+            outline,
+        })
+    }
+
+    fn resolution(&self, values: &Values) -> Result<Resolution, ModelError> {
+        match values[self.resolution].as_str() {
+            "2d" => Ok(Resolution::Plane),
+            "column" => Ok(Resolution::Column),
+            other => Err(ModelError::new(format!(
+                "section.model = \"{other}\": must be \"2d\" or \"column\""
+            ))),
+        }
+    }
+
+    fn exchange(&self, common: &ParameterSignals, values: &Values) -> Result<Exchange, ModelError> {
+        let track_azimuth = values[self.track_azimuth];
+        if !track_azimuth.is_finite() {
+            return Err(wrong("track.azimuth", track_azimuth, "must be a finite number"));
+        }
+        Ok(Exchange {
+            convection: not_negative("surface.convection", values[common.convection])?,
+            emissivity: share("surface.emissivity", values[common.emissivity])?,
+            absorptivity: share("solar.absorptivity", values[common.absorptivity])?,
+            filter: share("solar.filter", values[common.filter])?,
+            cold_sky: values[self.cold_sky],
+            pad: not_negative("foot.conductance", values[self.pad])?,
+            track_azimuth,
+        })
+    }
+}
+
+fn line(common: &ParameterSignals, values: &Values) -> Result<Line, ModelError> {
+    let begin = values[common.begin];
+    if !begin.is_finite() {
+        return Err(wrong("track.begin", begin, "must be a finite number"));
+    }
+    let element_length = positive("element.length", values[common.element_length])?;
+    let elements = whole("track.length", values[common.length], "element.length", element_length)?;
+    if elements > MOST_ELEMENTS {
+        return Err(ModelError::new(format!(
+            "the track has {elements} elements, more than {MOST_ELEMENTS}; choose a shorter \
+             track.length or longer elements"
+        )));
+    }
+    Ok(Line { begin, element_length, elements: elements as usize })
+}

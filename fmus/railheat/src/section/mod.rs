@@ -1,0 +1,22 @@
+//! The rail's cross-section: from its dimensions to the modes in which it conducts heat.
+//!
+//! | file | part |
+//! |---|---|
+//! | `file.rs` | the rail file in `stock/rails`: dimensions and their source |
+//! | `outline.rs` | the outline as a polygon, its area, centroid and second moment |
+//! | `clip.rs` | what of a polygon lies in a rectangle |
+//! | `cells.rs` | cut cells with capacities, conductances and pieces of surface |
+//! | `modes.rs` | the slowest modes of conduction and cooling |
+//!
+//! Coordinates: y across the rail to the right of its middle, z downwards from the crown.
+
+mod cells;
+mod clip;
+mod file;
+mod modes;
+mod outline;
+
+pub use cells::{Cell, Cells, Facet, Link};
+pub use file::{RailFile, RailFileError};
+pub use modes::{Modes, NoModes, add, dot};
+pub use outline::{Outline, Point, Properties};

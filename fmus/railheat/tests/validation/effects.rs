@@ -1,0 +1,134 @@
+//! Single effects of `model = "energy"` against closed forms and published numbers.
+
+use railheat::energy::bending::Beam;
+use railheat::energy::chill::conductance;
+use railheat::energy::sun::Sun;
+use railheat::energy::weather::{Exchange, Surface};
+use railheat::energy::wheels::{MEAN_OVER_PEAK, WheelHeat};
+use railheat::material::Material;
+use railheat::section::Cells;
+use railheat::wheels::Wheel;
+
+use crate::energy_common::{INSULATED, outline, parameters, slab};
+
+/// Reference §2.1, rail chill: conductance for two contacts at five speeds (three digits given).
+#[test]
+fn benchmark_chill_conductance() {
+    let beta = Material::PAPER.penetration();
+    for (speed, wide, round) in [
+        (5.56, 31.6, 19.5),
+        (11.11, 44.7, 27.6),
+        (16.67, 54.7, 33.8),
+        (22.22, 63.2, 39.1),
+        (30.0, 73.4, 45.4),
+    ] {
+        for (found, wanted) in [
+            (conductance(beta, 0.00588, 0.01054, speed), wide),
+            (conductance(beta, 0.0063, 0.0063, speed), round),
+        ] {
+            assert!((found - wanted).abs() < 0.06, "{speed} m/s: {found} against {wanted}");
+        }
+    }
+}
+
+/// Ertz and Knothe, *Wear* 253 (2002) 498: full slip, 30 kW at 30 m/s; closed form 150.30 K
+/// (CONTACT prints 166.8, for a doubled term and elastic slip). The mean over the patch is
+/// 0.6765 of the same unit. Five digits are given.
+#[test]
+fn analytic_flash_of_the_ertz_knothe_case() {
+    let heat = parameters(slab(), railheat::energy::parameters::Resolution::Column, 0.02).wheel;
+    let wheel = Wheel {
+        speed: 30.0,
+        friction_power: 30e3,
+        contact: railheat::creep_force::Contact { normal_force: 1e5, a: 0.00588, b: 0.01054 },
+        ..Wheel::default()
+    };
+    let steel = Material { conductivity: 50.0, ..Material::PAPER };
+    let peak = WheelHeat { partition: 0.5, ..heat }.flash(&wheel, &steel);
+    assert!((peak - 150.30).abs() < 0.02, "{peak}");
+    assert!((peak * MEAN_OVER_PEAK / (150.30 * 0.6765063 / 1.2346198) - 1.0).abs() < 2e-4);
+}
+
+/// Reference §6.2, Winkler beam of AS60 with E I = 6.15 MN m²: highest moment (three digits, and 40 t are
+/// 196.2 kN: 0.3 %) and thermoelastic change at the foot (whole mK); two wheel loads, three track moduli.
+#[test]
+fn benchmark_bending() {
+    let steel = Material::PAPER.heat_capacity();
+    for (load, rows) in [
+        (109_500.0, [(20e6, 28.8, -74.0), (35e6, 25.1, -65.0), (60e6, 21.9, -57.0)]),
+        (196_000.0, [(20e6, 51.7, -133.0), (35e6, 44.9, -116.0), (60e6, 39.3, -101.0)]),
+    ] {
+        for (track_modulus, moment, change) in rows {
+            let beam = Beam {
+                modulus: 6.15e6 / 29.3e-6,
+                second_moment: 29.3e-6,
+                to_foot: 0.07923,
+                track_modulus,
+                expansion: 11.5e-6,
+                loss_factor: 1e-3,
+            };
+            let highest = beam.moment(load, 0.0);
+            assert!((highest / 1000.0 / moment - 1.0).abs() < 0.003, "{highest} against {moment}");
+            let found = 1000.0 * beam.thermoelastic(highest, 293.0, steel);
+            assert!((found - change).abs() < 1.0, "{found} mK against {change}");
+            let uplift = beam.moment(load, 0.5 * std::f64::consts::PI / beam.decay()) / highest;
+            assert!((uplift + 0.208).abs() < 5e-4, "{uplift}");
+        }
+    }
+}
+
+/// Reference §6.2, hysteresis of 780 wheels of 22.3 t axles on 35 MPa: 5.5 mK in the outermost fibre
+/// of the foot with η = 1e-3 (two digits).
+#[test]
+fn benchmark_hysteresis() {
+    let beam = Beam {
+        modulus: 6.15e6 / 29.3e-6,
+        second_moment: 29.3e-6,
+        to_foot: 0.07923,
+        track_modulus: 35e6,
+        expansion: 0.0,
+        loss_factor: 1e-3,
+    };
+    // Heat per volume in the outermost fibre: the total by the second moment times its distance squared.
+    let per_volume = beam.hysteresis(109_500.0) * beam.to_foot.powi(2) / beam.second_moment;
+    let rise = 780.0 * per_volume / Material::PAPER.heat_capacity();
+    assert!((1000.0 * rise - 5.5).abs() < 0.1, "{rise}");
+}
+
+/// The sun in the east above a track to the north lights the right sides, at 30° the crown by one
+/// half; the web below the head's overhang is in the shade when it stands high. At night nothing.
+#[test]
+fn analytic_sun_on_the_surfaces() {
+    let outline = outline("AS60");
+    let cells = Cells::grid(&outline, 0.006);
+    let surface = Surface::new(&cells);
+    let lit = |degrees: f64| {
+        let sun = Sun { elevation: degrees.to_radians(), azimuth: 90_f64.to_radians() };
+        sun.lit(&outline, surface.facets(), 0.0)
+    };
+    let at = |lit: &[f64], y: f64, z: f64| {
+        let distance = |i: &usize| {
+            let middle = surface.facets()[*i].middle();
+            (middle.y - y).hypot(middle.z - z)
+        };
+        let nearest = (0..lit.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        lit[nearest.unwrap()]
+    };
+    let low = lit(30.0);
+    assert!((at(&low, 0.0, 0.0) - 0.5).abs() < 0.02, "{}", at(&low, 0.0, 0.0));
+    assert!(at(&low, 0.035, 0.025) > 0.8 && at(&low, -0.035, 0.025) == 0.0);
+    assert!(at(&low, 0.008, 0.1) > 0.8, "the low sun reaches the web");
+    let high = lit(80.0);
+    assert_eq!(at(&high, 0.008, 0.06), 0.0, "the head shades the web");
+    assert!(at(&high, 0.05, 0.16) > 0.8, "the foot is in the sun");
+    assert!(lit(-1.0).iter().all(|lit| *lit == 0.0));
+}
+
+/// McAdams as used by Hong et al. (reference §3.1): 5.6 in still air, 25.6 at 5 m/s, 7.2 W^0.78 above.
+#[test]
+fn benchmark_convection_by_wind() {
+    let exchange = Exchange { convection: 5.6, ..INSULATED };
+    for (wind, wanted) in [(0.0, 5.6), (5.0, 25.6), (10.0, 7.2 * 10_f64.powf(0.78))] {
+        assert!((exchange.coefficient(wind) - wanted).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,288 @@
+//! `model = "energy"` as a whole: heat is conserved, and reaches the foot when it should.
+
+use railheat::energy::model::Energy;
+use railheat::energy::parameters::{Line, Parameters, Resolution, Start};
+use railheat::energy::sun::Sun;
+use railheat::energy::weather::{Exchange, Weather};
+use railheat::wheels::Wheel;
+
+use crate::common::SPEED;
+use crate::energy_common::{INSULATED, NIGHT, all_effects, outline, parameters, run, slab, wheel};
+
+/// Weather that changes everything at once: sun from the side, wind, warm air.
+const DAY: Weather = Weather {
+    ambient: 295.0,
+    wind: 2.0,
+    direct: 900.0,
+    diffuse: 120.0,
+    sun: Sun { elevation: 0.8, azimuth: 1.0 },
+};
+
+fn energy(parameters: Parameters, wheelsets: &[usize], weather: &Weather) -> Energy {
+    Energy::new(parameters, wheelsets, weather, 0.0).unwrap()
+}
+
+/// A wheel's share of the friction heat per metre is ε P/v = 50 J/m, whatever the step, the length of
+/// the elements, the speed and the size of the cells. To rounding: some 1e3 additions.
+#[test]
+fn property_heat_per_metre_is_exact() {
+    for (length, element_length, speed, cell_size) in [
+        (0.001, 0.1, SPEED, 0.008),
+        (0.01, 0.1, 3.3, 0.008),
+        (0.2, 0.05, SPEED, 0.012),
+        (0.7, 0.4, 40.0, 0.02),
+        (3.0, 0.1, SPEED, 0.02),
+    ] {
+        let base = parameters(outline("AS60"), Resolution::Plane, cell_size);
+        let elements = (20.0 / element_length) as usize;
+        let line = Line { begin: 0.0, element_length, elements };
+        let mut model = energy(Parameters { line, ..base }, &[1], &NIGHT);
+        let wheel = |time: f64| {
+            let friction_power = 100.0 * speed;
+            vec![Wheel { speed, friction_power, ..wheel(-3.0 + speed * time) }]
+        };
+        run(&mut model, &NIGHT, wheel, 0.0, (30.0 / speed / length).ceil() as u32, length);
+        let far = 1000.0;
+        run(
+            &mut model,
+            &NIGHT,
+            |_| vec![Wheel { position: far, ..Wheel::default() }],
+            far,
+            3,
+            10.0,
+        );
+        for element in 0..elements {
+            let heat = model.heat_per_metre(element);
+            assert!((heat / 50.0 - 1.0).abs() < 1e-11, "element {element}: {heat} J/m");
+            assert!((model.sources_per_metre(element).friction / 50.0 - 1.0).abs() < 1e-11);
+        }
+    }
+}
+
+/// With every effect on, in weather that differs from that of the start: what is stored, summed over the
+/// volume, is what came in, with the losses summed over the surface, to 1e-9 of the heat put in.
+/// No mode is left out here, so that nothing is booked as lost by definition.
+#[test]
+fn property_energy_audit() {
+    for resolution in [Resolution::Plane, Resolution::Column] {
+        let mut model = energy(all_effects(outline("60E1"), resolution), &[2, 2], &NIGHT);
+        let wheels = |time: f64| {
+            let place = |offset: f64| Wheel {
+                lateral_position: 0.01,
+                brake_power: 5e3,
+                ..wheel(SPEED * time - offset)
+            };
+            [0.0, 1.8, 20.0, 21.8].map(place).to_vec()
+        };
+        run(&mut model, &DAY, wheels, 0.0, 300, 0.01);
+        run(&mut model, &DAY, |_| vec![Wheel::default(); 4], 3.0, 20, 60.0);
+        let ledger = model.ledger();
+        println!(
+            "{ledger:?}, error {:.1e} of the heat moved",
+            ledger.error() / ledger.sources.moved()
+        );
+        let sources = &ledger.sources;
+        for part in [sources.friction, sources.chill, sources.bending] {
+            assert!(part > 0.0, "{sources:?}");
+        }
+        assert!(ledger.error().abs() < 1e-9 * (sources.friction + sources.chill + sources.bending));
+        let of_elements: f64 = (0..200).map(|element| 0.1 * model.heat_per_metre(element)).sum();
+        assert!((of_elements / ledger.stored - 1.0).abs() < 1e-9);
+    }
+}
+
+/// Leaving out the modes that decay within half a second drops less than 1e-5 of the heat, and 5 s
+/// later changes the foot's rise by less than 0.1 mK a kelvin of mixture rise.
+#[test]
+fn property_fast_modes_do_not_matter_at_the_foot() {
+    let model_of = |shortest: f64| {
+        let exchange = Exchange { convection: 15.0, ..INSULATED };
+        let base = parameters(outline("60E1"), Resolution::Plane, 0.004);
+        let mut model = energy(Parameters { exchange, shortest, ..base }, &[1], &NIGHT);
+        run(&mut model, &NIGHT, |t| vec![wheel(5.0 + SPEED * t)], 0.0, 4, 0.1);
+        model
+    };
+    let (mut all, mut few) = (model_of(0.0), model_of(0.5));
+    assert!(few.modes().count < all.modes().count);
+    let element = 80;
+    println!("{} of {} modes", few.modes().count, all.modes().count);
+    for (from, steps) in [(0.4, 5), (5.4, 195), (200.4, 400)] {
+        for model in [&mut all, &mut few] {
+            run(model, &NIGHT, |_| vec![Wheel::default()], from, steps, 1.0);
+        }
+        let mixture = 50.0 / (7850.0 * 450.0 * 7.748e-3);
+        let difference = (all.excess(element, 2) - few.excess(element, 2)) / mixture;
+        let heat = few.heat_per_metre(element) / all.heat_per_metre(element) - 1.0;
+        println!("{} s: foot {difference:.1e} K per K, heat {heat:.1e}", from + f64::from(steps));
+        assert!(difference.abs() < 1e-4 && heat.abs() < 1e-5);
+    }
+}
+
+/// Round-off at the foot: in the first 5 s after 7 kJ/m (twice what a train leaves on R 800 m) came in, next
+/// to nothing can have arrived (erfc of 10 there), so that what is read is the error. 0.1 mK is wanted.
+#[test]
+fn property_round_off_at_the_foot() {
+    let base = parameters(outline("60E1"), Resolution::Plane, 0.005);
+    let mut model = energy(base, &[1], &NIGHT);
+    let standing = |_| vec![Wheel { speed: 0.0, friction_power: 1400.0, ..wheel(8.05) }];
+    run(&mut model, &NIGHT, standing, 0.0, 1, 1.0);
+    assert!(model.heat_per_metre(80) > 6.9e3);
+    let worst = (0..5).fold(0.0_f64, |worst, second| {
+        run(&mut model, &NIGHT, |_| vec![Wheel::default()], 1.0 + f64::from(second), 1, 1.0);
+        worst.max(model.excess(80, 2).abs())
+    });
+    println!("round-off at the foot {worst:.1e} K");
+    assert!(worst < 1e-9);
+}
+
+/// Reference §4.2, an impulse on a 60E1 rail, divided by the rise when mixed: crown, 60 mm, foot
+/// at 100 to 1800 s. The reference used the outline of UIC60 (area 1.1 % less) and a band of
+/// 30 mm on the crown, for which the contact has a half width of 19 mm here. Its own grid error is
+/// 6 % at the foot at 156 s and 1 % after 600 s: 12 %, or 0.003, before 600 s and 3 % from then on.
+/// Its value 60 mm deep at 30 s, 0.341, is left out: there 1 mm of depth is 9 %; 0.404 is found.
+#[test]
+fn benchmark_section_impulse() {
+    let base = parameters(outline("60E1"), Resolution::Plane, 0.004);
+    let mut model = energy(base, &[1], &NIGHT);
+    let wide = |position: f64| {
+        let mut wheel = wheel(position);
+        wheel.contact.b = 0.019;
+        wheel
+    };
+    run(&mut model, &NIGHT, |t| vec![wide(7.0 + SPEED * t)], 0.0, 1, 0.2);
+    let mixture = model.heat_per_metre(80) / (7850.0 * 450.0 * 7.748e-3);
+    let mut now = 0.2;
+    for (time, crown, deep, foot) in [
+        (100.0, 2.27, 1.309, 0.0039),
+        (200.0, 2.01, 1.514, 0.0633),
+        (600.0, 1.62, 1.393, 0.388),
+        (1800.0, 1.17, 1.107, 0.834),
+    ] {
+        // The heat comes in evenly over the first second.
+        let steps = (time + 0.5 - now) as u32;
+        run(&mut model, &NIGHT, |_| vec![Wheel::default()], now, steps, 1.0);
+        now += f64::from(steps);
+        for (level, wanted) in [crown, deep, foot].into_iter().enumerate() {
+            let found = model.excess(80, level) / mixture;
+            println!("{time} s, level {level}: {found:.4}, reference {wanted}");
+            let share = if time < 600.0 { 0.12 } else { 0.03 };
+            assert!((found - wanted).abs() < share * wanted + 0.003, "{time} s, level {level}");
+        }
+    }
+}
+
+/// Reference §4.2, a train of 156 s: the foot over the rise when mixed, with h = 0 and 15 all
+/// round, at 156 s, 200 s and 600 s. The reference states 6 % of grid error of its own at 156 s, and its
+/// two outlines (60E1, AS60) differ by 9 % then: 15, 10 and 3 %.
+#[test]
+fn benchmark_section_train() {
+    for (convection, at_tail, at_200, at_600) in
+        [(0.0, 0.0055, 0.0184, 0.334), (15.0, 0.0053, 0.0174, 0.277)]
+    {
+        let base = parameters(outline("60E1"), Resolution::Plane, 0.004);
+        let exchange = Exchange { convection, pad: convection, ..INSULATED };
+        let mut model = energy(Parameters { exchange, ..base }, &[1], &NIGHT);
+        // A wheel that stands gives the same heat evenly over the time.
+        let standing = |_| vec![Wheel { speed: 0.0, friction_power: 1000.0, ..wheel(8.05) }];
+        run(&mut model, &NIGHT, standing, 0.0, 156, 1.0);
+        let mixture = 500.0 * 156.0 / 0.1 / (7850.0 * 450.0 * 7.748e-3);
+        let foot = |model: &Energy| model.excess(80, 2) / mixture;
+        let mut found = vec![foot(&model)];
+        for (from, steps) in [(156.0, 44), (200.0, 400)] {
+            run(&mut model, &NIGHT, |_| vec![Wheel::default()], from, steps, 1.0);
+            found.push(foot(&model));
+        }
+        println!("h = {convection}: {found:.4?}, reference {at_tail} {at_200} {at_600}");
+        for ((found, wanted), allowed) in
+            found.iter().zip([at_tail, at_200, at_600]).zip([0.15, 0.1, 0.03])
+        {
+            assert!((found / wanted - 1.0).abs() < allowed, "{found} against {wanted}");
+        }
+    }
+}
+
+/// V8 on a slab of one column: the impulse's response at 156 and 600 s. The heat is spread over
+/// the uppermost cell, and read in the middle of cells: order 2 in their size.
+#[test]
+fn analytic_column_slab_impulse() {
+    for (time, deep, foot) in [(156.0, 1.3872008, 0.070157935), (600.0, 1.0946662, 0.79289969)] {
+        let errors = [43.0, 86.0, 172.0].map(|cells| {
+            let size = 0.172 / cells;
+            let base = parameters(slab(), Resolution::Column, size);
+            // A tenth of a second, so that it is an impulse.
+            let mut model = energy(Parameters { interval: 0.02, ..base }, &[1], &NIGHT);
+            let standing = vec![Wheel { speed: 0.0, friction_power: 1e5, ..wheel(8.05) }];
+            model.step(&standing, &NIGHT, 0.0, 0.02);
+            model.step(&[Wheel::default()], &NIGHT, 0.02, time - 0.01);
+            let mixture = 5e4 * 0.02 / 0.1 / (7850.0 * 450.0 * 6.88e-3);
+            [model.excess(80, 1) / mixture / deep - 1.0, model.excess(80, 2) / mixture / foot - 1.0]
+        });
+        for place in 0..2 {
+            let orders = [0, 1].map(|i| (errors[i][place] / errors[i + 1][place]).log2());
+            println!("{time} s: errors {:?}, orders {orders:.2?}", errors.map(|e| e[place]));
+            assert!(errors[2][place].abs() < 1e-3);
+            assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.3), "{orders:?}");
+        }
+    }
+}
+
+/// Spreading the heat over the conduction interval is of second order in its length: with the wheel in
+/// the middle of intervals of 16, 16/3 and 16/9 s, each third of the length leaves a ninth of the
+/// error, against intervals of 16/81 s. The foot 100 s after the wheel.
+#[test]
+fn property_second_order_in_the_interval() {
+    let foot = |interval: f64| {
+        let base = parameters(outline("60E1"), Resolution::Plane, 0.012);
+        let mut model = energy(Parameters { interval, ..base }, &[1], &NIGHT);
+        let at = |time: f64| vec![wheel(8.05 + (time - 8.0))];
+        run(&mut model, &NIGHT, at, 0.0, 160, 0.1);
+        run(&mut model, &NIGHT, |_| vec![Wheel::default()], 16.0, 3, 32.0);
+        model.excess(80, 2)
+    };
+    let exact = foot(16.0 / 81.0);
+    let errors = [16.0, 16.0 / 3.0, 16.0 / 9.0].map(|interval| foot(interval) / exact - 1.0);
+    println!("errors {errors:?}");
+    let orders = [0, 1].map(|i| (errors[i] / errors[i + 1]).ln() / 3_f64.ln());
+    println!("orders {orders:.2?}");
+    assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.2), "{orders:?}");
+}
+
+/// Rail in equilibrium with any weather stays as it is: nothing exchanged, nothing risen, to the last bit
+/// where no wheel is.
+#[test]
+fn property_equilibrium_stays() {
+    let mut model = energy(all_effects(outline("AS60"), Resolution::Plane), &[1], &DAY);
+    run(&mut model, &DAY, |_| vec![Wheel::default()], 0.0, 60, 60.0);
+    let ledger = model.ledger();
+    println!("{ledger:?} {}", model.initial_temperature());
+    assert!(ledger.stored.abs() < 1e-6 && model.rise(50, 2).abs() < 1e-9);
+    assert!(model.initial_temperature() > DAY.ambient + 5.0);
+}
+
+/// V15: a rail that only convects cools by exp(-t h P/(m c)), one that only radiates to 0 K takes
+/// m c/(3 ε σ P) (T^-3 - T_0^-3). The section is not quite of one temperature: Biot number
+/// h A/(P k) below 0.01, so 1 %; steps of 10 s add under 0.1 %.
+#[test]
+fn analytic_lumped_cooling() {
+    let capacity = 7850.0 * 450.0 * 7.6926e-3;
+    let perimeter = 0.65959 - 0.142;
+    let cold = Weather { ambient: 0.001, ..NIGHT };
+    let base = parameters(outline("AS60"), Resolution::Plane, 0.012);
+    let start = Start::Uniform(350.0);
+    let exchange = Exchange { emissivity: 0.75, ..INSULATED };
+    let mut model = energy(Parameters { exchange, start, ..base.clone() }, &[1], &cold);
+    let sigma = 5.670_374_419e-8;
+    let time =
+        capacity / (3.0 * 0.75 * sigma * perimeter) * (300.0_f64.powi(-3) - 350.0_f64.powi(-3));
+    run(&mut model, &cold, |_| vec![Wheel::default()], 0.0, 100, time / 100.0);
+    let mean = model.heat_per_metre(50) / capacity;
+    println!("radiation: {time:.0} s, {mean:.3} K against -50");
+    assert!((mean / -50.0 - 1.0).abs() < 0.01);
+    let exchange = Exchange { convection: 15.0, ..INSULATED };
+    let mut model = energy(Parameters { exchange, start, ..base }, &[1], &NIGHT);
+    run(&mut model, &NIGHT, |_| vec![Wheel::default()], 0.0, 50, 60.0);
+    let wanted = 50.0 * ((-3000.0 * 15.0 * perimeter / capacity).exp() - 1.0);
+    let mean = model.heat_per_metre(50) / capacity;
+    println!("convection: {mean:.3} K against {wanted:.3}");
+    assert!((mean / wanted - 1.0).abs() < 0.01);
+}

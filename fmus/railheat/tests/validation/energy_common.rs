@@ -1,0 +1,126 @@
+//! What the tests of `model = "energy"` need.
+
+use railheat::creep_force::Contact;
+use railheat::energy::bending::Beam;
+use railheat::energy::model::Energy;
+use railheat::energy::parameters::{Line, Parameters, Resolution, Start, TrainWeather};
+use railheat::energy::sun::Sun;
+use railheat::energy::weather::{Exchange, Weather};
+use railheat::energy::wheels::WheelHeat;
+use railheat::material::Material;
+use railheat::section::{Outline, RailFile};
+use railheat::wheels::Wheel;
+
+use crate::common::SPEED;
+
+/// Air of 300 K, no wind, no sun.
+pub const NIGHT: Weather = Weather {
+    ambient: 300.0,
+    wind: 0.0,
+    direct: 0.0,
+    diffuse: 0.0,
+    sun: Sun { elevation: 0.0, azimuth: 0.0 },
+};
+
+/// Exchanges nothing.
+pub const INSULATED: Exchange = Exchange {
+    convection: 0.0,
+    emissivity: 0.0,
+    absorptivity: 0.0,
+    filter: 0.0,
+    cold_sky: false,
+    pad: 0.0,
+    track_azimuth: 0.0,
+};
+
+/// An upright slab 172 mm high and 40 mm wide: the one-dimensional closed forms.
+pub fn slab() -> Outline {
+    let text = "name = \"slab\"\nsource = \"test\"\nheight_mm = 172\narea_mm2 = 6880\n\
+                centroid_above_foot_mm = 86\nsecond_moment_mm4 = 1\n\
+                corners_mm = [[0, 172, 0], [20, 172, 0], [20, 0, 0], [0, 0, 0]]";
+    RailFile::from_toml(text, "slab").unwrap().outline()
+}
+
+pub fn outline(rail: &str) -> Outline {
+    RailFile::open(rail).unwrap().outline()
+}
+
+/// An insulated rail of 20 m that gets friction heat only.
+pub fn parameters(outline: Outline, resolution: Resolution, cell_size: f64) -> Parameters {
+    let of_section = outline.properties();
+    Parameters {
+        line: Line { begin: 0.0, element_length: 0.1, elements: 200 },
+        resolution,
+        cell_size,
+        shortest: 0.0,
+        interval: 1.0,
+        material: Material::PAPER,
+        wheel: WheelHeat {
+            partition: 0.5,
+            capacity: 160e3,
+            cooling: 40.0,
+            initial_rise: 0.0,
+            contact_quality: 0.0,
+        },
+        beam: Beam {
+            modulus: 207e9,
+            second_moment: of_section.second_moment,
+            to_foot: outline.height() - of_section.centroid,
+            track_modulus: 35e6,
+            expansion: 11.5e-6,
+            loss_factor: 0.0,
+        },
+        exchange: INSULATED,
+        train: TrainWeather { shade: false, wind_share: 0.0, overhang: 2.8 },
+        start: Start::Uniform(300.0),
+        depths: vec![0.06],
+        threshold: 0.015,
+        outline,
+    }
+}
+
+/// Rail and air differ in everything: weather, chill, bending, shade, wind of the train.
+pub fn all_effects(outline: Outline, resolution: Resolution) -> Parameters {
+    let base = parameters(outline, resolution, 0.008);
+    Parameters {
+        wheel: WheelHeat { contact_quality: 1.0, initial_rise: 20.0, ..base.wheel },
+        beam: Beam { loss_factor: 5e-4, ..base.beam },
+        exchange: Exchange {
+            convection: 6.0,
+            emissivity: 0.75,
+            absorptivity: 0.75,
+            filter: 0.6,
+            pad: 20.0,
+            ..INSULATED
+        },
+        train: TrainWeather { shade: true, wind_share: 0.3, overhang: 2.8 },
+        start: Start::Equilibrium,
+        ..base
+    }
+}
+
+/// A wheel on the rail with 1.67 kW of friction power: 100 J/m, of which the rail gets half.
+pub fn wheel(position: f64) -> Wheel {
+    Wheel {
+        position,
+        speed: SPEED,
+        contact: Contact { normal_force: 109_500.0, a: 0.0063, b: 0.0063 },
+        friction_power: 100.0 * SPEED,
+        ..Wheel::default()
+    }
+}
+
+/// Runs one vehicle whose wheels are `at` the end of each step.
+pub fn run(
+    model: &mut Energy,
+    weather: &Weather,
+    at: impl Fn(f64) -> Vec<Wheel>,
+    from: f64,
+    steps: u32,
+    length: f64,
+) {
+    for step in 0..steps {
+        let start = from + f64::from(step) * length;
+        model.step(&at(start + length), weather, start, length);
+    }
+}
