@@ -191,8 +191,11 @@ impl Builder<'_> {
                 unit.set_real_parameter(name, value)?;
             }
         }
-        if unit.interface().variable("field_file").is_some() {
-            unit.set_text_parameter("field_file", &field_file.to_string_lossy())?;
+        let field_file = field_file.to_string_lossy();
+        for (name, value) in [("field_file", &*field_file), ("model", &heat.model)] {
+            if unit.interface().variable(name).is_some() {
+                unit.set_text_parameter(name, value)?;
+            }
         }
         for (name, &value) in &heat.parameters {
             unit.set_real_parameter(name, value)?;

@@ -161,6 +161,10 @@ impl Default for Synchronisation {
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct Heat {
+    /// Heat model of the rail-heat FMU: `paper`, or `energy`, which conserves heat.
+    #[serde(default = "default_heat_model")]
+    #[garde(length(min = 1))]
+    pub model: String,
     /// Which rail is heated.
     #[serde(default)]
     #[garde(skip)]
@@ -290,6 +294,10 @@ fn default_stock() -> PathBuf {
 
 fn one() -> usize {
     1
+}
+
+fn default_heat_model() -> String {
+    "paper".to_owned()
 }
 
 fn default_field_interval() -> f64 {
