@@ -40,9 +40,9 @@ pub struct RunArguments {
 pub struct PackArguments {
     /// Shared library, or an FMU that was packed before
     binary: PathBuf,
-    /// Folder with the resources
+    /// Folder with the resources, where the model needs any
     #[arg(long)]
-    resources: PathBuf,
+    resources: Option<PathBuf>,
     /// Rolling-stock library that is put into the resources as `stock`
     #[arg(long)]
     stock: Option<PathBuf>,
@@ -116,7 +116,9 @@ pub fn check(fmu: &Path, role: Role) -> Result<()> {
 /// When files are missing, or the model refuses the resources.
 pub fn pack(arguments: &PackArguments) -> Result<()> {
     let folder = tempfile::tempdir().into_diagnostic()?;
-    pack::copy_folder(&arguments.resources, folder.path()).into_diagnostic()?;
+    if let Some(resources) = &arguments.resources {
+        pack::copy_folder(resources, folder.path()).into_diagnostic()?;
+    }
     if let Some(stock) = &arguments.stock {
         pack::copy_folder(stock, &folder.path().join("stock")).into_diagnostic()?;
     }

@@ -6,9 +6,9 @@
 //! | `scenario/` | the scenario file |
 //! | `prepare.rs`, `resources.rs`, `pack.rs` | from a scenario to wired units |
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
-//! | `unit.rs`, `port.rs`, `roles.rs` | units, the signals they exchange, and their roles |
+//! | `unit.rs`, `port.rs`, `roles.rs`, `si.rs` | models, the signals they exchange, their roles, and units of measurement |
 //! | `start.rs`, `lockstep.rs`, `rail.rs`, `parallel.rs` | initialisation and the step loop |
-//! | `synchronisation.rs` | the controller that keeps vehicles at their place |
+//! | `synchronisation.rs` | gains of the controllers that keep vehicles at their place |
 //! | `run.rs`, `observe.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
 //! | `recording/`, `report/` | series files and the report |
 //! | `commands.rs` | the commands of the program |
@@ -32,6 +32,7 @@ mod resources;
 pub mod roles;
 mod run;
 pub mod scenario;
+mod si;
 mod start;
 mod synchronisation;
 mod times;
