@@ -6,6 +6,7 @@
 //! | `scenario/` | the scenario file |
 //! | `prepare.rs`, `resources.rs`, `pack.rs` | from a scenario to wired units |
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
+//! | `check/` | the rules of FMI 2.0 for an FMU |
 //! | `unit.rs`, `port.rs`, `roles.rs` | units, the signals they exchange, and their roles |
 //! | `start.rs`, `lockstep.rs`, `rail.rs`, `parallel.rs` | initialisation and the step loop |
 //! | `synchronisation.rs` | the controller that keeps vehicles at their place |
@@ -14,6 +15,7 @@
 //! | `commands.rs` | the commands of the program |
 
 mod archive;
+pub mod check;
 pub mod commands;
 mod fmi;
 mod interface;
