@@ -66,6 +66,20 @@ pub struct Lockstep {
 }
 
 impl Lockstep {
+    /// All units: the train, the vehicles from head to tail, the rail.
+    pub fn units(&self) -> impl Iterator<Item = &dyn Unit> {
+        let vehicles = self.vehicles.iter().map(|vehicle| vehicle.unit.as_ref());
+        let rail = self.rail.iter().map(|rail| rail.unit.as_ref());
+        std::iter::once(self.train.unit.as_ref()).chain(vehicles).chain(rail)
+    }
+
+    /// All units, in the order of [`units`](Self::units).
+    pub fn units_mut(&mut self) -> impl Iterator<Item = &mut Box<dyn Unit>> {
+        let vehicles = self.vehicles.iter_mut().map(|vehicle| &mut vehicle.unit);
+        let rail = self.rail.iter_mut().map(|rail| &mut rail.unit);
+        std::iter::once(&mut self.train.unit).chain(vehicles).chain(rail)
+    }
+
     /// Takes all units from point `k` to `k + 1`.
     ///
     /// # Errors

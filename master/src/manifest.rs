@@ -1,12 +1,13 @@
 //! `manifest.toml`: what made the results of a run.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Duration;
 
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use crate::prepare::Folders;
+use crate::lockstep::Lockstep;
 use crate::report::RunFacts;
 use crate::scenario::Scenario;
 use crate::times::StepTimes;
@@ -52,7 +53,7 @@ struct FmuEntry {
 
 impl Manifest {
     /// A manifest of a run that begins.
-    pub fn new(scenario: &Scenario, text: String, threads: usize, folders: &Folders) -> Self {
+    pub fn new(scenario: &Scenario, text: String, threads: usize, lockstep: &Lockstep) -> Self {
         let cores = std::thread::available_parallelism().map_or(0, usize::from);
         let run = RunFacts {
             title: scenario.title.clone(),
@@ -74,7 +75,7 @@ impl Manifest {
             scenario: text,
             run,
             wall_time_of: vec![],
-            fmu: fmus(scenario, folders),
+            fmu: fmus(lockstep),
         }
     }
 
@@ -111,23 +112,18 @@ fn curves(track: &Path) -> Vec<[f64; 2]> {
     track::Track::from_file(track).map(|track| track.curves()).unwrap_or_default()
 }
 
-/// The FMUs of a run: those packed for it, and those that the scenario names.
-fn fmus(scenario: &Scenario, folders: &Folders) -> Vec<FmuEntry> {
-    let packed = std::fs::read_dir(folders.results.join("fmus")).into_iter().flatten();
-    let mut files: Vec<_> = packed.flatten().map(|entry| entry.path()).collect();
-    let named = &scenario.fmus;
-    files.extend(
-        [&named.longitudinal, &named.vehicle, &named.railheat].into_iter().flatten().cloned(),
-    );
-    files.extend(named.vehicle_at.iter().map(|replacement| replacement.file.clone()));
-    files.sort();
-    files.iter().filter_map(|file| entry(file)).collect()
+/// The FMUs that the units of a run are instances of.
+fn fmus(lockstep: &Lockstep) -> Vec<FmuEntry> {
+    let guids: BTreeMap<_, _> =
+        lockstep.units().map(|unit| (unit.source_file(), &unit.interface().guid)).collect();
+    let entry = |(file, guid): (&str, &String)| {
+        let sha256 = sha256(&std::fs::read(file).ok()?);
+        Some(FmuEntry { file: file.to_owned(), sha256, guid: guid.clone() })
+    };
+    guids.into_iter().filter_map(entry).collect()
 }
 
-fn entry(file: &Path) -> Option<FmuEntry> {
-    let bytes = std::fs::read(file).ok()?;
-    let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-    let import = crate::Import::open(file).ok()?;
-    let guid = import.interface().guid.clone();
-    Some(FmuEntry { file: file.display().to_string(), sha256, guid })
+/// The digest of a file's content as hexadecimal digits.
+fn sha256(content: &[u8]) -> String {
+    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
 }

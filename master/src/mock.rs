@@ -48,6 +48,14 @@ impl Mock {
 }
 
 impl Unit for Mock {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn source_file(&self) -> &str {
+        "a mock"
+    }
+
     fn interface(&self) -> &Interface {
         &self.interface
     }

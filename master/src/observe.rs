@@ -40,7 +40,9 @@ pub struct Recorder {
     every: u64,
     /// Whether each vehicle has had traction.
     powered: Vec<bool>,
-    /// Names of the recorded outputs of train and rail that are energies, with their places.
+    /// The outputs of train and rail at the last record.
+    values: Vec<f64>,
+    /// Names of those outputs that are energies, with their places.
     energies: Vec<(String, usize)>,
 }
 
@@ -86,6 +88,7 @@ impl Recorder {
             wheel_rows,
             every,
             powered: vec![false; scenario.vehicle_count()],
+            values: vec![],
             energies,
         })
     }
@@ -122,21 +125,21 @@ impl Recorder {
 
     /// The energies that train and rail gave at the last record.
     pub fn energy(&self) -> Vec<EnergyLine> {
-        let values: Vec<f64> =
-            self.train_outputs.values.iter().chain(&self.rail_outputs.values).copied().collect();
-        let line =
-            |(name, i): &(String, usize)| EnergyLine { name: name.clone(), joules: values[*i] };
+        let line = |(name, i): &(String, usize)| EnergyLine {
+            name: name.clone(),
+            joules: self.values[*i],
+        };
         self.energies.iter().map(line).collect()
     }
 
     fn record(&mut self, time: f64, lockstep: &mut Lockstep) -> Result<(), ObserveError> {
         self.train_outputs.get(lockstep.train.unit.as_mut())?;
-        let mut values = self.train_outputs.values.clone();
+        self.values.clone_from(&self.train_outputs.values);
         if let Some(rail) = &mut lockstep.rail {
             self.rail_outputs.get(rail.unit.as_mut())?;
-            values.extend(&self.rail_outputs.values);
+            self.values.extend(&self.rail_outputs.values);
         }
-        self.train.observe(0, &values);
+        self.train.observe(0, &self.values);
         self.train.record(time)?;
         self.vehicles.record(time)?;
         match &mut self.wheels {

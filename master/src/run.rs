@@ -16,7 +16,7 @@ use crate::report::{self, MainFigure, ReportError};
 use crate::scenario::{self, Scenario, ScenarioError};
 use crate::start::StartValues;
 use crate::times::{StepTimes, Stopwatch};
-use crate::unit::UnitError;
+use crate::unit::{Unit, UnitError};
 
 /// How a scenario is run.
 #[derive(Debug, Clone, Default)]
@@ -123,7 +123,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     let folders = Folders { fmus: options.fmus.clone(), results: absolute(&results)? };
 
     let mut lockstep = prepare(&scenario, &folders)?;
-    let manifest = Manifest::new(&scenario, text, threads, &folders);
+    let manifest = Manifest::new(&scenario, text, threads, &lockstep);
     pool.install(|| {
         run_prepared(&scenario, &mut lockstep, manifest, &folders.results, options.quiet)
     })
@@ -222,20 +222,11 @@ fn steps_of_the_run(
 }
 
 fn warnings(lockstep: &mut Lockstep) -> Vec<String> {
-    let units = std::iter::once(("train".to_owned(), &mut lockstep.train.unit))
-        .chain(
-            lockstep
-                .vehicles
-                .iter_mut()
-                .enumerate()
-                .map(|(i, vehicle)| (format!("vehicle[{}]", i + 1), &mut vehicle.unit)),
-        )
-        .chain(lockstep.rail.iter_mut().map(|rail| ("rail".to_owned(), &mut rail.unit)));
-    units
-        .flat_map(|(name, unit)| {
-            unit.take_warnings().into_iter().map(move |text| format!("{name}: {text}"))
-        })
-        .collect()
+    let of_unit = |unit: &mut Box<dyn Unit>| -> Vec<String> {
+        let texts = unit.take_warnings();
+        texts.into_iter().map(|text| format!("{}: {text}", unit.name())).collect()
+    };
+    lockstep.units_mut().flat_map(of_unit).collect()
 }
 
 /// The scenario's folder names the run, or its file if it is not called `scenario.toml`.

@@ -45,10 +45,7 @@ impl Lockstep {
     /// # Errors
     /// When a unit could not complete what it writes.
     pub fn terminate(&mut self) -> Result<(), UnitError> {
-        let units = std::iter::once(&mut self.train.unit)
-            .chain(self.vehicles.iter_mut().map(|vehicle| &mut vehicle.unit))
-            .chain(self.rail.iter_mut().map(|rail| &mut rail.unit));
-        let ends: Vec<_> = units.map(|unit| unit.terminate()).collect();
+        let ends: Vec<_> = self.units_mut().map(|unit| unit.terminate()).collect();
         ends.into_iter().collect()
     }
 }

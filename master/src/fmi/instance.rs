@@ -128,6 +128,14 @@ impl FmuInstance {
 }
 
 impl Unit for FmuInstance {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn source_file(&self) -> &str {
+        self.import.file()
+    }
+
     fn interface(&self) -> &Interface {
         self.import.interface()
     }
