@@ -4,9 +4,10 @@
 //! | place | part |
 //! |---|---|
 //! | `scenario/` | the scenario file |
-//! | `prepare.rs`, `resources.rs`, `pack.rs` | from a scenario to wired units |
+//! | `prepare.rs`, `resources.rs`, `pack.rs`, `documentation.rs` | from a scenario to wired units |
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
 //! | `check/` | the rules of FMI 2.0 for an FMU |
+//! | `reference/` | the reference result that an FMU carries as a self-test |
 //! | `unit.rs`, `port.rs`, `roles.rs` | units, the signals they exchange, and their roles |
 //! | `start.rs`, `lockstep.rs`, `rail.rs`, `parallel.rs` | initialisation and the step loop |
 //! | `synchronisation.rs` | the controller that keeps vehicles at their place |
@@ -17,6 +18,7 @@
 mod archive;
 pub mod check;
 pub mod commands;
+mod documentation;
 mod fmi;
 mod interface;
 mod lockstep;
@@ -29,6 +31,7 @@ mod prepare;
 mod progress;
 mod rail;
 pub mod recording;
+mod reference;
 mod report;
 mod resources;
 pub mod roles;

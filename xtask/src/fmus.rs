@@ -25,6 +25,8 @@ pub fn build() -> Result<()> {
         let mut pack = hotfoot();
         pack.arg("pack").arg(target().join(library));
         pack.arg("--resources").arg(format!("fmus/{model}/resources"));
+        pack.arg("--theory").arg(format!("docs/theory/{model}.md"));
+        pack.arg("--reference").arg(format!("fmus/{model}/reference"));
         pack.args(["--stock", "stock", "--output"]).arg(fmu(model));
         run(&mut pack)?;
     }

@@ -9,10 +9,12 @@
 //! | `structure.rs`, `dependencies.rs` | outputs, initial unknowns, and what they depend on |
 //! | `package.rs` | the files of the FMU, and its binary |
 //! | `terminals.rs` | the terminals |
+//! | `command.rs` | the command |
 //!
 //! The checkers of other makers each see a part of this (`docs/user-guide/fmus.md` has a table);
 //! a rule that any of them enforces is here.
 
+mod command;
 mod dependencies;
 mod description;
 mod elements;
@@ -31,7 +33,9 @@ mod units;
 use std::fmt;
 use std::path::Path;
 
+pub use command::{CheckArguments, command};
 use description::{Description, Element};
+pub(crate) use terminals::FILE as TERMINALS;
 
 /// How much a breach matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

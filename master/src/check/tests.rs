@@ -76,7 +76,7 @@ const BREACHES: &[(&str, &str, &str, &str)] = &[
     ("types-are-unique", "name=\"Force\"", "name=\"mass\"", "has the name of a variable"),
     ("types-are-defined", "declaredType=\"Force\"", "declaredType=\"F\"", "does not define"),
     ("types-are-defined", "declaredType=\"Force\"", "declaredType=\"Mode\"", "\"Mode\" is not"),
-    ("names-are-unique", "name=\"on\" v", "name=\"mass\" v", "variable 2 already"),
+    ("names-are-unique", "name=\"on\" valueR", "name=\"mass\" valueR", "variable 2 already"),
     ("names-are-structured", "name=\"gauge\"", "name=\"the gauge\"", "no structured name"),
     (
         "aliases-have-one-start",
