@@ -7,11 +7,9 @@ use std::process::Command;
 use clap::Args;
 use miette::{IntoDiagnostic, Result, miette};
 
-use crate::fmi::Import;
 use crate::pack::{self, Binary};
-use crate::roles::{self, Role};
 use crate::run::{self, Options};
-use crate::{archive, report, scenario};
+use crate::{archive, reference, report, scenario};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
@@ -46,6 +44,12 @@ pub struct PackArguments {
     /// Rolling-stock library that is put into the resources as `stock`
     #[arg(long)]
     stock: Option<PathBuf>,
+    /// Folder with the experiment whose result the FMU shall carry as a self-test
+    #[arg(long)]
+    reference: Option<PathBuf>,
+    /// Text in Markdown with the equations, for the documentation
+    #[arg(long)]
+    theory: Option<PathBuf>,
     /// FMU to write
     #[arg(long, short)]
     output: PathBuf,
@@ -92,24 +96,6 @@ pub fn report(results: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Says whether an FMU can fill a role.
-///
-/// # Errors
-/// When the FMU cannot be read, or lacks something.
-pub fn check(fmu: &Path, role: Role) -> Result<()> {
-    let import = Import::open(fmu).into_diagnostic()?;
-    let problems = roles::missing(import.interface(), role);
-    if !problems.is_empty() {
-        return Err(miette!(
-            "{} cannot be used as {role:?}:\n{}",
-            fmu.display(),
-            problems.join("\n")
-        ));
-    }
-    println!("{} can be used as {role:?}", fmu.display());
-    Ok(())
-}
-
 /// Packs an FMU.
 ///
 /// # Errors
@@ -127,7 +113,14 @@ pub fn pack(arguments: &PackArguments) -> Result<()> {
         true => Binary::Fmu(&arguments.binary),
         false => Binary::Library(&arguments.binary),
     };
-    pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()
+    pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()?;
+    if let Some(theory) = &arguments.theory {
+        pack::add_equations(&arguments.output, theory).into_diagnostic()?;
+    }
+    match &arguments.reference {
+        Some(reference) => reference::pack(&arguments.output, reference).into_diagnostic(),
+        None => Ok(()),
+    }
 }
 
 /// Lists the variables of an FMU, or prints its model description.

@@ -4,8 +4,10 @@
 //! | place | part |
 //! |---|---|
 //! | `scenario/` | the scenario file |
-//! | `prepare.rs`, `resources.rs`, `pack.rs` | from a scenario to wired units |
+//! | `prepare.rs`, `resources.rs`, `pack.rs`, `documentation.rs` | from a scenario to wired units |
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
+//! | `check/` | the rules of FMI 2.0 for an FMU |
+//! | `reference/` | the reference result that an FMU carries as a self-test |
 //! | `unit.rs`, `port.rs`, `roles.rs`, `si.rs` | models, the signals they exchange, their roles, and units of measurement |
 //! | `start.rs`, `lockstep.rs`, `rail.rs`, `parallel.rs` | initialisation and the step loop |
 //! | `synchronisation.rs` | gains of the controllers that keep vehicles at their place |
@@ -14,7 +16,9 @@
 //! | `commands.rs` | the commands of the program |
 
 mod archive;
+pub mod check;
 pub mod commands;
+mod documentation;
 mod fmi;
 mod interface;
 mod lockstep;
@@ -27,6 +31,7 @@ mod prepare;
 mod progress;
 mod rail;
 pub mod recording;
+mod reference;
 mod report;
 mod resources;
 pub mod roles;

@@ -29,6 +29,8 @@ pub fn build() -> Result<()> {
         if resources.exists() {
             pack.arg("--resources").arg(resources).args(["--stock", "stock"]);
         }
+        pack.arg("--theory").arg(format!("docs/theory/{model}.md"));
+        pack.arg("--reference").arg(format!("fmus/{model}/reference"));
         run(pack.arg("--output").arg(fmu(model)))?;
     }
     Ok(())
