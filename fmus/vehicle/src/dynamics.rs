@@ -18,7 +18,7 @@ use crate::energy::{Account, Stored};
 use crate::frame::{Frame, Placement};
 use crate::inputs::Inputs;
 use crate::structure::Structure;
-use crate::suspension::ElementEnergy;
+use crate::suspension::{ElementEnergy, ElementState};
 use crate::wheelset::{WheelOutput, WheelsetStep};
 
 /// All that changes in a step.
@@ -26,8 +26,8 @@ use crate::wheelset::{WheelOutput, WheelsetStep};
 pub struct State {
     /// Bodies in the structure's order.
     pub bodies: Vec<BodyState>,
-    /// Force of each damper on its second body, N.
-    pub damper_forces: Vec<f64>,
+    /// What the force elements remember.
+    pub elements: ElementState,
     /// Work and heat since the start.
     pub account: Account,
 }
@@ -63,7 +63,7 @@ impl Dynamics {
         Self {
             state: State {
                 bodies: vec![BodyState::default(); bodies],
-                damper_forces: vec![0.0; dampers],
+                elements: structure.suspension.at_rest(),
                 account: Account::default(),
             },
             wheels: vec![Default::default(); structure.wheelsets.len()],
@@ -153,7 +153,7 @@ impl Dynamics {
 
     /// Changes the velocities by the forces of a step.
     pub(crate) fn kick(&mut self, step: f64, inputs: &Inputs) {
-        self.suspend();
+        self.suspend(step);
         self.add_outer_forces(inputs, step);
         let before = self.velocity();
         self.roll(step, inputs);
@@ -169,7 +169,7 @@ impl Dynamics {
     }
 
     /// Forces of the suspension, weight and moving frames, each in its body's frame.
-    fn suspend(&mut self) {
+    fn suspend(&mut self, step: f64) {
         let structure = &*self.structure;
         let origin = self.frames[0];
         let start = self.state.bodies[0].position.x;
@@ -182,8 +182,9 @@ impl Dynamics {
         self.wrenches.fill(Wrench::default());
         self.elements = structure.suspension.apply(
             &self.seen,
-            &mut self.state.damper_forces,
+            &mut self.state.elements,
             &self.decay,
+            step,
             &mut self.wrenches,
         );
         for (i, body) in structure.bodies.iter().enumerate() {

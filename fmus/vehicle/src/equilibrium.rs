@@ -85,7 +85,7 @@ impl Dynamics {
             *state = Default::default();
             state.position.x = position + body.along;
         }
-        self.state.damper_forces.fill(0.0);
+        self.state.elements = self.structure.suspension.at_rest();
         self.locate();
         self.set_speed(speed);
     }
@@ -250,6 +250,7 @@ impl<'a> Search<'a> {
     fn residual(&mut self, unknowns: &DVector<f64>) -> DVector<f64> {
         self.write(unknowns);
         let before = self.dynamics.state.bodies.clone();
+        let elements = self.dynamics.state.elements.clone();
         self.dynamics.kick(STEP, self.inputs);
         let common = self.dynamics.acceleration;
         self.dynamics.hold(common * STEP);
@@ -261,6 +262,7 @@ impl<'a> Search<'a> {
         });
         let residual: Vec<f64> = changes.skip(1).collect();
         self.dynamics.state.bodies.copy_from_slice(&before);
+        self.dynamics.state.elements = elements;
         DVector::from_vec(residual)
     }
 

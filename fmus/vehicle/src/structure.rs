@@ -5,15 +5,12 @@ use std::sync::Arc;
 use contact::{ContactError, FallingFriction, GeometryTable, Polach, ProfilePair};
 use contact::{RailProfile, WheelProfile};
 use nalgebra::Vector3;
-use stock::{Direction, Multibody};
+use stock::Multibody;
 
 use crate::body::RigidBody;
-use crate::statics;
+use crate::statics::{self, Loose};
 use crate::suspension::Suspension;
-use crate::suspension::damper::Damper;
-use crate::suspension::ends::Ends;
-use crate::suspension::spring::Spring;
-use crate::suspension::stop::Stop;
+use crate::suspension::compile::index;
 use crate::wheel::WheelData;
 
 /// Why a vehicle file gives no vehicle.
@@ -35,12 +32,16 @@ pub enum StructureError {
     },
     /// A body can move without any spring holding it.
     #[error(
-        "vehicle \"{vehicle}\", section [multibody]: the springs do not hold every body against \
-         the wheelsets in all directions"
+        "vehicle \"{vehicle}\", section [multibody]: no spring holds body \"{body}\" in \
+         {coordinate}; every body must be held against the wheelsets in all directions"
     )]
     Loose {
         /// Name of the vehicle.
         vehicle: String,
+        /// Name of the body.
+        body: String,
+        /// Coordinate in which it can move.
+        coordinate: &'static str,
     },
 }
 
@@ -95,13 +96,14 @@ impl Structure {
         let half = 0.5 * vehicle.length_m;
         let mut structure = Self {
             couplers: [coupler(half), coupler(-half)],
-            suspension: suspension(multibody, &bodies),
+            suspension: Suspension::new(multibody, &bodies),
             creep: creep(&multibody.contact.creep),
             bodies,
             wheelsets,
         };
-        statics::preload(&mut structure)
-            .ok_or_else(|| StructureError::Loose { vehicle: name() })?;
+        statics::preload(&mut structure).map_err(|Loose { body, coordinate }| {
+            StructureError::Loose { vehicle: name(), body, coordinate }
+        })?;
         Ok(structure)
     }
 
@@ -173,42 +175,6 @@ fn wheelsets(
     Ok(wheelsets)
 }
 
-fn suspension(multibody: &Multibody, bodies: &[RigidBody]) -> Suspension {
-    let mut suspension = Suspension::default();
-    for spring in &multibody.spring {
-        for ends in all_ends(bodies, &spring.between, &spring.points_m) {
-            suspension.springs.push(Spring {
-                ends,
-                stiffness: spring.stiffness_n_m.into(),
-                damping: spring.damping_n_s_m.into(),
-                preload: Vector3::zeros(),
-            });
-        }
-    }
-    for damper in &multibody.damper {
-        for ends in all_ends(bodies, &damper.between, &damper.points_m) {
-            suspension.dampers.push(Damper {
-                ends,
-                axis: axis(damper.direction),
-                damping: damper.damping_n_s_m,
-                series_stiffness: damper.series_stiffness_n_m.unwrap_or(f64::INFINITY),
-                blow_off: damper.blow_off_n.unwrap_or(f64::INFINITY),
-            });
-        }
-    }
-    for stop in &multibody.stop {
-        for ends in all_ends(bodies, &stop.between, &stop.points_m) {
-            suspension.stops.push(Stop {
-                ends,
-                axis: axis(stop.direction),
-                free_play: stop.free_play_mm * 1e-3,
-                stiffness: stop.stiffness_n_m,
-            });
-        }
-    }
-    suspension
-}
-
 fn creep(creep: &stock::CreepLaw) -> Polach {
     Polach {
         adhesion_factor: creep.adhesion_factor,
@@ -218,32 +184,5 @@ fn creep(creep: &stock::CreepLaw) -> Polach {
             limit_ratio: creep.limit_ratio,
             decay: creep.decay_s_m,
         },
-    }
-}
-
-/// The ends of elements between two bodies, one for each point.
-fn all_ends<'a>(
-    bodies: &'a [RigidBody],
-    between: &[String; 2],
-    points: &'a [[f64; 3]],
-) -> impl Iterator<Item = Ends> + use<'a> {
-    let indices = between.each_ref().map(|name| index(bodies, name));
-    points.iter().map(move |&[x, y, height]| Ends {
-        bodies: indices,
-        arms: indices.map(|i| Vector3::new(x - bodies[i].along, y, bodies[i].height - height)),
-    })
-}
-
-/// Place of the body with this name; the stock library has checked that there is one.
-fn index(bodies: &[RigidBody], name: &str) -> usize {
-    let found = bodies.iter().position(|body| body.name == name);
-    found.expect("the stock library checks the names of bodies")
-}
-
-fn axis(direction: Direction) -> usize {
-    match direction {
-        Direction::Longitudinal => 0,
-        Direction::Lateral => 1,
-        Direction::Vertical => 2,
     }
 }

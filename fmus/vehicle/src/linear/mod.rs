@@ -13,7 +13,7 @@ mod modes;
 mod system;
 
 pub use modes::{Mode, Modes};
-pub use system::System;
+pub use system::{Surfaces, System};
 
 use nalgebra::{DMatrix, SymmetricEigen, Vector3};
 
@@ -32,13 +32,13 @@ pub(crate) fn stretch(ends: &Ends, seen: &[Seen]) -> Vector3<f64> {
 
 /// Stiffness matrix of all springs, N/m, N, N m.
 pub fn stiffness(structure: &Structure) -> DMatrix<f64> {
-    System::new(structure).stiffness
+    System::new(structure, Surfaces::Slide).stiffness
 }
 
 /// Undamped natural frequencies in Hz, rising, of the bodies on their suspension while the
 /// wheelsets are held.
 pub fn natural_frequencies(structure: &Structure) -> Vec<f64> {
-    let held = System::new(structure).with_wheelsets_held(structure);
+    let held = System::new(structure, Surfaces::Slide).with_wheelsets_held(structure);
     let squares = SymmetricEigen::new(held.scaled(&held.stiffness)).eigenvalues;
     let mut frequencies: Vec<f64> =
         squares.iter().map(|square| square.max(0.0).sqrt() / std::f64::consts::TAU).collect();
