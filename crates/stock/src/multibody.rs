@@ -117,6 +117,9 @@ pub struct Body {
     pub inertia_kg_m2: [f64; 3],
     /// Centre of mass: x from the vehicle's middle, m.
     pub x_m: f64,
+    /// Centre of mass: y from the centre line, to the right, m.
+    #[serde(default)]
+    pub y_m: f64,
     /// Centre of mass: height above the rails, m.
     pub height_m: f64,
 }

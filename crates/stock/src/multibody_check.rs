@@ -59,6 +59,7 @@ impl<'a> Checker<'a> {
     fn body(&self, body: &Body, check: &Check) -> Checked {
         inertia(check, body.mass_kg, body.inertia_kg_m2)?;
         check.between("x_m", body.x_m, -50.0, 50.0)?;
+        check.between("y_m", body.y_m, -3.0, 3.0)?;
         check.between("height_m", body.height_m, 0.0, 10.0)
     }
 

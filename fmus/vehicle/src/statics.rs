@@ -41,7 +41,21 @@ pub(crate) fn preload(structure: &mut Structure) -> Result<(), Loose> {
         seen.rotation = at(6 * i + 3);
     }
     set_forces(structure, &seen);
+    set_wheel_loads(structure);
     Ok(())
+}
+
+/// The wheels carry the weight of their wheelset and what all elements press on it at rest.
+fn set_wheel_loads(structure: &mut Structure) {
+    let mut wrenches = vec![Wrench::default(); structure.bodies.len()];
+    let at_rest = vec![Seen::default(); structure.bodies.len()];
+    let suspension = &structure.suspension;
+    let decay = vec![0.0; suspension.dampers.len()];
+    suspension.apply(&at_rest, &mut suspension.at_rest(), &decay, 1.0, &mut wrenches);
+    for data in &mut structure.wheelsets {
+        let pressed = wrenches[data.body].force.z;
+        data.static_wheel_load = 0.5 * (pressed + structure.bodies[data.body].mass * GRAVITY);
+    }
 }
 
 /// Weight, and the forces of the elements whose force at rest is given.

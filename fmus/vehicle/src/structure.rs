@@ -1,6 +1,6 @@
 //! A vehicle file compiled into flat arrays: bodies, wheelsets and elements by index.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use contact::{ContactError, FallingFriction, GeometryTable, Polach, ProfilePair};
 use contact::{RailProfile, WheelProfile};
@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 use stock::Multibody;
 
 use crate::body::RigidBody;
+use crate::linear;
 use crate::statics::{self, Loose};
 use crate::suspension::Suspension;
 use crate::suspension::compile::index;
@@ -45,6 +46,16 @@ pub enum StructureError {
     },
 }
 
+/// Longest step of the integration of any vehicle, s.
+pub const LONGEST_STEP: f64 = 1e-3;
+
+/// Greatest natural frequency times step: the scheme is stable below 2, and a contact may get three
+/// times its static load and with it 1.2 times its frequency.
+const GREATEST_PHASE: f64 = 1.4;
+
+/// Structures of vehicles that are in use: a train of 250 vehicles has few types.
+static STRUCTURES: Mutex<Vec<(stock::Vehicle, Weak<Structure>)>> = Mutex::new(Vec::new());
+
 /// What a vehicle is: everything that does not change in a run, except the friction coefficient.
 #[derive(Clone, Debug)]
 pub struct Structure {
@@ -56,6 +67,8 @@ pub struct Structure {
     pub suspension: Suspension,
     /// Creep law.
     pub creep: Polach,
+    /// Longest step of the integration, s.
+    pub longest_step: f64,
     /// Couplers' arms from the first body's centre of mass: front, rear, m.
     pub couplers: [Vector3<f64>; 2],
 }
@@ -71,6 +84,8 @@ pub struct WheelsetData {
     pub wheel: WheelData,
     /// Contact geometry of its wheels on the rails.
     pub table: Arc<GeometryTable>,
+    /// Vertical load of each of its wheels at rest on straight level track, N.
+    pub static_wheel_load: f64,
     /// Share of the vehicle's traction force.
     pub traction_share: f64,
     /// Share of the vehicle's brake force.
@@ -91,10 +106,11 @@ impl Structure {
         let car = &bodies[0];
         let coupler = |end: f64| {
             let height = multibody.coupler.height_m;
-            Vector3::new(end - car.along, 0.0, car.height - height)
+            Vector3::new(end - car.along, -car.across, car.height - height)
         };
         let half = 0.5 * vehicle.length_m;
         let mut structure = Self {
+            longest_step: LONGEST_STEP,
             couplers: [coupler(half), coupler(-half)],
             suspension: Suspension::new(multibody, &bodies),
             creep: creep(&multibody.contact.creep),
@@ -104,6 +120,24 @@ impl Structure {
         statics::preload(&mut structure).map_err(|Loose { body, coordinate }| {
             StructureError::Loose { vehicle: name(), body, coordinate }
         })?;
+        let resolved = GREATEST_PHASE / linear::highest_frequency(&structure);
+        structure.longest_step = LONGEST_STEP.min(resolved);
+        Ok(structure)
+    }
+
+    /// The same, compiled once for all instances of this vehicle in the process.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn shared(vehicle: &stock::Vehicle) -> Result<Arc<Self>, StructureError> {
+        let mut structures = STRUCTURES.lock().unwrap_or_else(PoisonError::into_inner);
+        structures.retain(|(_, structure)| structure.strong_count() > 0);
+        let known = structures.iter().find(|(known, _)| known == vehicle);
+        if let Some(structure) = known.and_then(|(_, structure)| structure.upgrade()) {
+            return Ok(structure);
+        }
+        let structure = Arc::new(Self::new(vehicle)?);
+        structures.push((vehicle.clone(), Arc::downgrade(&structure)));
         Ok(structure)
     }
 
@@ -128,6 +162,7 @@ fn bodies(multibody: &Multibody) -> Vec<RigidBody> {
         mass: body.mass_kg,
         inertia: body.inertia_kg_m2.into(),
         along: body.x_m,
+        across: body.y_m,
         height: body.height_m,
         turns: false,
     });
@@ -136,6 +171,7 @@ fn bodies(multibody: &Multibody) -> Vec<RigidBody> {
         mass: wheelset.mass_kg,
         inertia: wheelset.inertia_kg_m2.into(),
         along: wheelset.x_m,
+        across: 0.0,
         height: wheelset.wheel_radius_m,
         turns: true,
     });
@@ -168,6 +204,7 @@ fn wheelsets(
                 damping: contact.damping_s_m,
             },
             table: GeometryTable::shared(&pair)?,
+            static_wheel_load: 0.0,
             traction_share: if wheelset.powered { 1.0 / powered as f64 } else { 0.0 },
             brake_share: 1.0 / count as f64,
         });

@@ -4,15 +4,18 @@
 //! |---|---|
 //! | `system.rs` | M d²q/dt² + C dq/dt + K q + dampers with stiffness in series = 0 |
 //! | `modes.rs` | its eigenvalues and shapes |
+//! | `rolling.rs` | wheelsets that roll; the critical speed |
 //!
 //! Coordinates are displacement and rotation of each body in turn (six each). Elements count with
 //! their tangents at the static load, without weight and static load themselves; stops within
 //! their play do nothing.
 
 mod modes;
+mod rolling;
 mod system;
 
 pub use modes::{Mode, Modes};
+pub use rolling::{CriticalSpeed, Rolling};
 pub use system::{Surfaces, System};
 
 use nalgebra::{DMatrix, SymmetricEigen, Vector3};
@@ -28,6 +31,25 @@ pub(crate) fn stretch(ends: &Ends, seen: &[Seen]) -> Vector3<f64> {
         body.displacement + body.rotation.cross(&ends.arms[end])
     };
     moved(1) - moved(0)
+}
+
+/// Stiffness of a contact under 109.5 kN (reference locomotive), N/m; it grows with the cube root of
+/// the load.
+const CONTACT_STIFFNESS: (f64, f64) = (1.5e9, 109.5e3);
+
+/// Greatest natural circular frequency, rad/s, of the vehicle on its wheels with all friction
+/// sticking: what an explicit step must resolve.
+pub(crate) fn highest_frequency(structure: &Structure) -> f64 {
+    let mut system = System::new(structure, Surfaces::Stick);
+    for data in &structure.wheelsets {
+        let (stiffness, load) = CONTACT_STIFFNESS;
+        let both = 2.0 * stiffness * (data.static_wheel_load / load).cbrt();
+        let at = system::COORDINATES * data.body;
+        let half = data.wheel.half_distance;
+        system.stiffness[(at + 2, at + 2)] += both;
+        system.stiffness[(at + 3, at + 3)] += both * half * half;
+    }
+    SymmetricEigen::new(system.scaled(&system.stiffness)).eigenvalues.max().sqrt()
 }
 
 /// Stiffness matrix of all springs, N/m, N, N m.

@@ -149,7 +149,7 @@ fn all_ends<'a>(
 
 /// Arm from a body's centre of mass to a point x, y, height.
 fn arm(body: &RigidBody, &[x, y, height]: &[f64; 3]) -> Vector3<f64> {
-    Vector3::new(x - body.along, y, body.height - height)
+    Vector3::new(x - body.along, y - body.across, body.height - height)
 }
 
 /// Place of the body with this name; the stock library has checked that there is one.
