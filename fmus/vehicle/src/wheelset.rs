@@ -12,6 +12,7 @@ use crate::body::{BodyState, RigidBody, Wrench};
 use crate::drive::{Drive, DriveStep};
 use crate::energy::Account;
 use crate::frame::Frame;
+use crate::rail::RailMotion;
 use crate::six::{self, Six, SixBySix, add, add_outer, dot};
 use crate::structure::WheelsetData;
 use crate::wheel::{Linearised, Side, Wheel};
@@ -53,6 +54,8 @@ pub struct WheelsetStep<'a> {
     pub body: &'a RigidBody,
     /// Track at its chainage.
     pub frame: &'a Frame,
+    /// Left and right rail.
+    pub rails: [RailMotion; 2],
     /// Creep law with the friction of now.
     pub creep: &'a Polach,
     /// Force and moment of suspension, weight, frame and drive.
@@ -67,22 +70,29 @@ impl WheelsetStep<'_> {
     /// Changes the velocities of `state`; gives the outputs of both wheels and the torque with
     /// which the brake holds the wheelset.
     pub fn run(&self, state: &mut BodyState, account: &mut Account) -> ([WheelOutput; 2], f64) {
-        let wheel = |side| Wheel::new(side, &self.data.wheel, &self.data.table, state);
-        let wheels = [wheel(Side::Left), wheel(Side::Right)];
+        let wheel = |side, rail: &RailMotion| {
+            Wheel::new(side, &self.data.wheel, &self.data.table, &rail.seen_from(state))
+        };
+        let wheels = [wheel(Side::Left, &self.rails[0]), wheel(Side::Right, &self.rails[1])];
         let before = six::join(&state.velocity, &state.angular_velocity);
         let carrier = self.frame_velocities(state);
         let against = difference(&before, &carrier);
         let speed = state.velocity.x;
-        let forces = |wheel: &Wheel| wheel.forces(&self.data.wheel, self.creep, &against, speed);
-        let contacts = [forces(&wheels[0]), forces(&wheels[1])];
+        let contacts = [0, 1].map(|i| {
+            let against = self.rails[i].against(&against);
+            wheels[i].forces(&self.data.wheel, self.creep, &against, speed)
+        });
 
         let drive = self.drive.linearised(before[4]);
         let change = self.solve(&wheels, &contacts, &drive);
 
         let after: Six = std::array::from_fn(|i| before[i] + change[i]);
         (state.velocity, state.angular_velocity) = six::split(&after);
-        let step = Motion { change, after: difference(&after, &carrier), speed: after[0] };
-        let mut output = |i: usize| self.output(&wheels[i], &contacts[i], &step, account);
+        let end = difference(&after, &carrier);
+        let mut output = |i: usize| {
+            let motion = Motion { change, after: self.rails[i].against(&end), speed: after[0] };
+            self.output(&wheels[i], &contacts[i], &motion, account)
+        };
         let outputs = [output(0), output(1)];
         let brake = drive.brake_torque(change[4]);
         self.drive.account(brake, before[4] + 0.5 * change[4], self.step, account);
