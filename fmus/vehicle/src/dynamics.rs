@@ -19,7 +19,8 @@ use crate::frame::{Frame, Placement};
 use crate::inputs::Inputs;
 use crate::structure::Structure;
 use crate::suspension::ElementEnergy;
-use crate::wheelset::{WheelOutput, WheelsetStep};
+use crate::wheel_output::WheelOutput;
+use crate::wheelset::WheelsetStep;
 
 /// All that changes in a step.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -7,14 +7,15 @@
 //! | `frame.rs` | the frames that follow the track |
 //! | `body.rs` | a rigid body in its frame, with the frame's inertia forces |
 //! | `suspension/` | springs, dampers, stops |
-//! | `wheel.rs` | a wheel on its rail: approach, normal force, slip |
+//! | `wheel.rs`, `patch.rs` | a wheel and the contacts in which it touches: approach, normal force, slip |
 //! | `wheelset.rs` | a wheelset's step with its contact forces |
+//! | `wheel_output.rs` | what a wheel does to its rail at the end of a step |
 //! | `drive.rs` | traction and brake of a wheelset |
 //! | `dynamics.rs` | the vehicle in motion: state and step |
 //! | `equilibrium.rs` | the start in equilibrium |
 //! | `statics.rs`, `linear.rs` | static load of the springs; the vehicle linearised |
 //! | `energy.rs`, `inputs.rs`, `six.rs` | energy account; forces from outside; algebra |
-//! | `signals.rs`, `interface.rs` | the model as an FMU |
+//! | `signals.rs`, `patch_signals.rs`, `interface.rs` | the model as an FMU |
 //!
 //! Equations are numbered in `docs/theory/vehicle.md`. Axes: x along the track in the running
 //! direction, y to the right, z down; SI units.
@@ -28,12 +29,15 @@ pub mod frame;
 pub mod inputs;
 mod interface;
 pub mod linear;
+pub mod patch;
+mod patch_signals;
 mod signals;
 pub mod six;
 mod statics;
 pub mod structure;
 pub mod suspension;
 pub mod wheel;
+pub mod wheel_output;
 pub mod wheelset;
 
 pub use interface::{LONGEST_STEP, Vehicle};
