@@ -20,7 +20,8 @@ use crate::line::Line;
 use crate::rail::{Deflection, RailMotion};
 use crate::structure::Structure;
 use crate::suspension::{ElementEnergy, ElementState};
-use crate::wheelset::{WheelOutput, WheelsetStep};
+use crate::wheel_output::WheelOutput;
+use crate::wheelset::WheelsetStep;
 
 /// All that changes in a step.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
