@@ -1,9 +1,11 @@
 //! The commands of the program `hotfoot`.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use clap::Args;
-use miette::{IntoDiagnostic, Result};
+use miette::{IntoDiagnostic, Result, miette};
 
 use crate::pack::{self, Binary};
 use crate::run::{self, Options};
@@ -36,9 +38,9 @@ pub struct RunArguments {
 pub struct PackArguments {
     /// Shared library, or an FMU that was packed before
     binary: PathBuf,
-    /// Folder with the resources
+    /// Folder with the resources, where the model needs any
     #[arg(long)]
-    resources: PathBuf,
+    resources: Option<PathBuf>,
     /// Rolling-stock library that is put into the resources as `stock`
     #[arg(long)]
     stock: Option<PathBuf>,
@@ -51,6 +53,13 @@ pub struct PackArguments {
     /// FMU to write
     #[arg(long, short)]
     output: PathBuf,
+}
+
+/// Arguments that a command of the program `hotfoot-tools` gets as they are, `--help` too.
+#[derive(Args)]
+pub struct ToolArguments {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENTS")]
+    arguments: Vec<OsString>,
 }
 
 /// Runs a scenario, tells where the results are, and the main figures.
@@ -93,7 +102,9 @@ pub fn report(results: &Path) -> Result<()> {
 /// When files are missing, or the model refuses the resources.
 pub fn pack(arguments: &PackArguments) -> Result<()> {
     let folder = tempfile::tempdir().into_diagnostic()?;
-    pack::copy_folder(&arguments.resources, folder.path()).into_diagnostic()?;
+    if let Some(resources) = &arguments.resources {
+        pack::copy_folder(resources, folder.path()).into_diagnostic()?;
+    }
     if let Some(stock) = &arguments.stock {
         pack::copy_folder(stock, &folder.path().join("stock")).into_diagnostic()?;
     }
@@ -141,4 +152,20 @@ pub fn schema() -> Result<()> {
     let schema = schemars::schema_for!(scenario::Scenario);
     println!("{}", serde_json::to_string_pretty(&schema).into_diagnostic()?);
     Ok(())
+}
+
+/// Runs a command of the program `hotfoot-tools`, which stands beside this one: it knows the models
+/// that the master does not know. Ends this program with the status of that one.
+///
+/// # Errors
+/// When the program cannot be started.
+pub fn tool(command: &str, arguments: &ToolArguments) -> Result<()> {
+    let name = format!("hotfoot-tools{}", std::env::consts::EXE_SUFFIX);
+    let program = std::env::current_exe().unwrap_or_default().with_file_name(name);
+    let status = Command::new(&program).arg(command).args(&arguments.arguments).status();
+    let status = status.map_err(|error| {
+        let program = program.display();
+        miette!("`hotfoot {command}` needs the program {program}, which cannot be started: {error}")
+    })?;
+    std::process::exit(status.code().unwrap_or(1))
 }

@@ -8,9 +8,9 @@
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
 //! | `check/` | the rules of FMI 2.0 for an FMU |
 //! | `reference/` | the reference result that an FMU carries as a self-test |
-//! | `unit.rs`, `port.rs`, `roles.rs` | units, the signals they exchange, and their roles |
+//! | `unit.rs`, `port.rs`, `roles.rs`, `si.rs` | models, the signals they exchange, their roles, and units of measurement |
 //! | `start.rs`, `lockstep.rs`, `rail.rs`, `parallel.rs` | initialisation and the step loop |
-//! | `synchronisation.rs` | the controller that keeps vehicles at their place |
+//! | `synchronisation.rs` | gains of the controllers that keep vehicles at their place |
 //! | `run.rs`, `observe.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
 //! | `recording/`, `report/` | series files and the report |
 //! | `commands.rs` | the commands of the program |
@@ -37,6 +37,7 @@ mod resources;
 pub mod roles;
 mod run;
 pub mod scenario;
+mod si;
 mod start;
 mod synchronisation;
 mod times;

@@ -37,6 +37,9 @@ enum Command {
     },
     /// Print the JSON schema of scenario files, for editors
     Schema,
+    /// Natural frequencies, damping and shapes of a vehicle on its suspension
+    #[command(disable_help_flag = true)]
+    Modes(commands::ToolArguments),
 }
 
 fn main() -> miette::Result<()> {
@@ -51,5 +54,6 @@ fn main() -> miette::Result<()> {
         Command::Pack(arguments) => commands::pack(&arguments),
         Command::Interface { fmu, xml } => commands::interface(&fmu, xml),
         Command::Schema => commands::schema(),
+        Command::Modes(arguments) => commands::tool("modes", &arguments),
     }
 }

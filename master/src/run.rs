@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use controller::Motion;
 use miette::Diagnostic;
 
 use crate::lockstep::Lockstep;
@@ -14,7 +15,6 @@ use crate::prepare::{Folders, PrepareError, prepare};
 use crate::progress::Progress;
 use crate::report::{self, MainFigure, ReportError};
 use crate::scenario::{self, Scenario, ScenarioError};
-use crate::start::StartValues;
 use crate::times::{StepTimes, Stopwatch};
 use crate::unit::{Unit, UnitError};
 
@@ -152,7 +152,7 @@ fn run_prepared(
     quiet: bool,
 ) -> Result<(f64, Duration, u64), RunError> {
     let steps = (scenario.duration_s / scenario.step_s).round() as u64;
-    let start = StartValues {
+    let start = Motion {
         position: scenario.train.leading_vehicle_position_m,
         velocity: scenario.train.speed_m_per_s,
     };
