@@ -3,7 +3,7 @@
 use std::ffi::{CStr, CString};
 use std::sync::Arc;
 
-use super::binding::{self, Component, Functions, OK, Status, WARNING};
+use super::binding::{self, Component, FATAL, Functions, OK, Status, WARNING};
 use super::callbacks::{Messages, callbacks};
 use super::crash::calling;
 use super::import::Import;
@@ -143,7 +143,7 @@ impl FmuInstance {
     ) -> UnitError {
         let action = format!("{}{}", name.to_string_lossy(), detail(self));
         let error = self.error(action, Some(status));
-        if Self::is_fatal(status) {
+        if status == FATAL {
             // No function of any instance of the FMU may be called any more (§2.1.3).
             self.import.lose();
         }
@@ -174,6 +174,31 @@ impl FmuInstance {
     }
 }
 
+/// Setting and getting of variables of a type.
+macro_rules! exchange {
+    ($($set:ident, $get:ident: $type:ty, $kind:ident, $c_set:ident $set_name:literal, $c_get:ident $get_name:literal;)*) => {$(
+        fn $set(&mut self, references: &[u32], values: &[$type]) -> Result<(), UnitError> {
+            assert_eq!(references.len(), values.len(), "one value for each reference");
+            self.call(
+                $set_name,
+                // SAFETY: both arrays have the stated length.
+                |f, c| unsafe { (f.$c_set)(c, references.as_ptr(), references.len(), values.as_ptr()) },
+                |this| format!(" of {}", this.names(VariableType::$kind, references)),
+            )
+        }
+
+        fn $get(&mut self, references: &[u32], values: &mut [$type]) -> Result<(), UnitError> {
+            assert_eq!(references.len(), values.len(), "one place for each reference");
+            self.call(
+                $get_name,
+                // SAFETY: both arrays have the stated length.
+                |f, c| unsafe { (f.$c_get)(c, references.as_ptr(), references.len(), values.as_mut_ptr()) },
+                |this| format!(" of {}", this.names(VariableType::$kind, references)),
+            )
+        }
+    )*};
+}
+
 impl Unit for FmuInstance {
     fn name(&self) -> &str {
         &self.name
@@ -198,47 +223,26 @@ impl Unit for FmuInstance {
         )
     }
 
-    fn set_integer(&mut self, reference: u32, value: i32) -> Result<(), UnitError> {
+    fn get_text(&mut self, reference: u32) -> Result<String, UnitError> {
+        let mut text = std::ptr::null();
         self.call(
-            c"fmi2SetInteger",
-            // SAFETY: one reference and one number.
-            |f, c| unsafe { (f.set_integer)(c, &raw const reference, 1, &raw const value) },
-            |this| format!(" of {} = {value}", this.names(VariableType::Integer, &[reference])),
-        )
+            c"fmi2GetString",
+            // SAFETY: one reference, and room for one pointer.
+            |f, c| unsafe { (f.get_string)(c, &raw const reference, 1, &raw mut text) },
+            |this| format!(" of {}", this.names(VariableType::Text, &[reference])),
+        )?;
+        if text.is_null() {
+            return Ok(String::new());
+        }
+        // SAFETY: the FMU's string stays valid until the next call of the instance (§2.1.7),
+        // and is copied before.
+        Ok(unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned())
     }
 
-    fn set_boolean(&mut self, reference: u32, value: bool) -> Result<(), UnitError> {
-        let number = i32::from(value);
-        self.call(
-            c"fmi2SetBoolean",
-            // SAFETY: one reference and one number.
-            |f, c| unsafe { (f.set_boolean)(c, &raw const reference, 1, &raw const number) },
-            |this| format!(" of {} = {value}", this.names(VariableType::Boolean, &[reference])),
-        )
-    }
-
-    fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
-        assert_eq!(references.len(), values.len(), "one value for each reference");
-        self.call(
-            c"fmi2SetReal",
-            // SAFETY: both arrays have the stated length.
-            |f, c| unsafe {
-                (f.set_real)(c, references.as_ptr(), references.len(), values.as_ptr())
-            },
-            |this| format!(" of {}", this.names(VariableType::Real, references)),
-        )
-    }
-
-    fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError> {
-        assert_eq!(references.len(), values.len(), "one place for each reference");
-        self.call(
-            c"fmi2GetReal",
-            // SAFETY: both arrays have the stated length.
-            |f, c| unsafe {
-                (f.get_real)(c, references.as_ptr(), references.len(), values.as_mut_ptr())
-            },
-            |this| format!(" of {}", this.names(VariableType::Real, references)),
-        )
+    exchange! {
+        set_reals, get_reals: f64, Real, set_real c"fmi2SetReal", get_real c"fmi2GetReal";
+        set_integers, get_integers: i32, Integer, set_integer c"fmi2SetInteger", get_integer c"fmi2GetInteger";
+        set_booleans, get_booleans: i32, Boolean, set_boolean c"fmi2SetBoolean", get_boolean c"fmi2GetBoolean";
     }
 
     fn enter_initialization(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {

@@ -4,8 +4,8 @@ use std::ptr;
 use std::time::{Duration, Instant};
 
 use super::binding::{
-    DISCARD, DO_STEP_STATUS, FATAL, FmuState, LAST_SUCCESSFUL_TIME, OK, PENDING, Status,
-    TERMINATED, WARNING,
+    DISCARD, DO_STEP_STATUS, FmuState, LAST_SUCCESSFUL_TIME, OK, PENDING, Status, TERMINATED,
+    WARNING,
 };
 use super::instance::FmuInstance;
 use crate::unit::UnitError;
@@ -187,10 +187,5 @@ impl FmuInstance {
                 |_| String::new(),
             );
         }
-    }
-
-    /// Whether the status ends all use of the FMU.
-    pub(super) fn is_fatal(status: Status) -> bool {
-        status == FATAL
     }
 }
