@@ -13,6 +13,7 @@
 //! | `synchronisation.rs` | gains of the controllers that keep vehicles at their place |
 //! | `run.rs`, `observe.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
 //! | `recording/`, `report/` | series files and the report |
+//! | `supervise.rs` | a run in a child process, which an FMU may crash |
 //! | `commands.rs` | the commands of the program |
 
 mod archive;
@@ -39,6 +40,7 @@ mod run;
 pub mod scenario;
 mod si;
 mod start;
+mod supervise;
 mod synchronisation;
 mod times;
 mod unit;

@@ -12,4 +12,4 @@ pub use file::{
     Driver, Fmus, Heat, Probe, Rail, Record, Scenario, Scheme, Synchronisation, Track, Train,
     VehicleGroup, VehicleReplacement,
 };
-pub use load::{ScenarioError, load};
+pub use load::{ScenarioError, file_of, load};
