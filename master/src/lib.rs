@@ -4,12 +4,13 @@
 //! | place | part |
 //! |---|---|
 //! | `scenario/` | the scenario file |
-//! | `prepare.rs`, `resources.rs`, `pack.rs` | from a scenario to wired units |
+//! | `prepare.rs`, `prepare_rail.rs`, `resources.rs`, `pack.rs` | from a scenario to wired units |
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
 //! | `unit.rs`, `port.rs`, `roles.rs` | units, the signals they exchange, and their roles |
 //! | `start.rs`, `lockstep.rs`, `rail.rs`, `parallel.rs` | initialisation and the step loop |
+//! | `traffic.rs`, `tape.rs` | what the rails go through after the run |
 //! | `synchronisation.rs` | the controller that keeps vehicles at their place |
-//! | `run.rs`, `observe.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
+//! | `run.rs`, `stepping.rs`, `observe.rs`, `observe_rail.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
 //! | `recording/`, `report/` | series files and the report |
 //! | `commands.rs` | the commands of the program |
 
@@ -20,10 +21,12 @@ mod interface;
 mod lockstep;
 mod manifest;
 mod observe;
+mod observe_rail;
 mod pack;
 mod parallel;
 mod port;
 mod prepare;
+mod prepare_rail;
 mod progress;
 mod rail;
 pub mod recording;
@@ -33,8 +36,11 @@ pub mod roles;
 mod run;
 pub mod scenario;
 mod start;
+mod stepping;
 mod synchronisation;
+mod tape;
 mod times;
+mod traffic;
 mod unit;
 
 #[cfg(test)]

@@ -64,6 +64,14 @@ impl Unit for Mock {
         unreachable!("a mock has no texts")
     }
 
+    fn set_integer(&mut self, _: u32, _: i32) -> Result<(), UnitError> {
+        unreachable!("a mock has no integers")
+    }
+
+    fn set_boolean(&mut self, _: u32, _: bool) -> Result<(), UnitError> {
+        unreachable!("a mock has no booleans")
+    }
+
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
         self.note("set");
         for (&reference, &value) in references.iter().zip(values) {

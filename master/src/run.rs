@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use miette::Diagnostic;
 
@@ -15,7 +15,9 @@ use crate::progress::Progress;
 use crate::report::{self, MainFigure, ReportError};
 use crate::scenario::{self, Scenario, ScenarioError};
 use crate::start::StartValues;
-use crate::times::{StepTimes, Stopwatch};
+use crate::stepping::{FailedStep, StepFailure, Stepping};
+use crate::times::StepTimes;
+use crate::traffic::Traffic;
 use crate::unit::{Unit, UnitError};
 
 /// How a scenario is run.
@@ -90,10 +92,8 @@ pub enum RunError {
 #[derive(Debug)]
 pub struct Finished {
     report: PathBuf,
-    simulated: f64,
-    wall: Duration,
+    done: Done,
     times: StepTimes,
-    steps: u64,
     vehicles: usize,
     threads: usize,
     figures: Vec<MainFigure>,
@@ -123,19 +123,19 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     let folders = Folders { fmus: options.fmus.clone(), results: absolute(&results)? };
 
     let mut lockstep = prepare(&scenario, &folders)?;
-    let manifest = Manifest::new(&scenario, text, threads, &lockstep);
+    let mut manifest = Manifest::new(&scenario, text, threads, &lockstep);
     pool.install(|| {
-        run_prepared(&scenario, &mut lockstep, manifest, &folders.results, options.quiet)
+        run_prepared(&scenario, &mut lockstep, &mut manifest, &folders.results, options.quiet)
     })
-    .and_then(|(simulated, wall, steps)| {
+    .and_then(|done| {
         let (report, figures) = report::write(&folders.results)?;
+        manifest.figure.clone_from(&figures);
+        manifest.write(&folders.results)?;
         Ok(Finished {
             figures,
             report,
-            simulated,
-            wall,
+            done,
             times: lockstep.times,
-            steps,
             vehicles: lockstep.vehicles.len(),
             threads,
             warnings: warnings(&mut lockstep),
@@ -143,82 +143,69 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     })
 }
 
-/// Initialises, steps and records; gives simulated time, wall time and steps.
+/// How far a run has come, and in which wall time.
+#[derive(Debug)]
+struct Done {
+    /// Time of the train, s.
+    simulated: f64,
+    /// Time of the rails, s.
+    rails: f64,
+    wall: Duration,
+    steps: u64,
+}
+
+/// Initialises, steps and records.
 fn run_prepared(
     scenario: &Scenario,
     lockstep: &mut Lockstep,
-    mut manifest: Manifest,
+    manifest: &mut Manifest,
     results: &Path,
     quiet: bool,
-) -> Result<(f64, Duration, u64), RunError> {
+) -> Result<Done, RunError> {
     let steps = (scenario.duration_s / scenario.step_s).round() as u64;
     let start = StartValues {
         position: scenario.train.leading_vehicle_position_m,
         velocity: scenario.train.speed_m_per_s,
     };
+    let traffic = scenario.heat.as_ref().map(Traffic::of).unwrap_or_default();
+    let rails_run = lockstep.rails_time(steps);
+    let rails_end = traffic.end(rails_run);
     manifest.write(results)?;
-    lockstep.initialize(start, scenario.duration_s).map_err(RunError::Start)?;
+    lockstep.initialize(start, scenario.duration_s, rails_end).map_err(RunError::Start)?;
     let mut recorder = Recorder::new(scenario, lockstep, &results.join("series"))?;
     recorder.observe(0, lockstep)?;
 
     let mut progress = Progress::new(steps, scenario.duration_s, quiet);
-    let outcome = steps_of_the_run(steps, lockstep, &mut recorder, &mut progress);
-    let wall = progress.finish();
+    let begin = Instant::now();
+    let mut stepping = Stepping { lockstep, recorder: &mut recorder, progress: &mut progress };
+    let outcome = stepping.run(steps);
+    let wall = begin.elapsed();
+    let outcome = outcome.and_then(|()| stepping.go_on(&traffic, rails_run));
+    lockstep.times.rails_after = begin.elapsed() - wall;
+    progress.finish();
 
     // Whatever happened, what was computed is completed on disk.
     manifest.run.locomotives = recorder.locomotives();
     manifest.run.energy = recorder.energy();
     recorder.finish()?;
     let end = lockstep.terminate();
-    let done = *outcome.as_ref().unwrap_or_else(|failed| &failed.k);
-    manifest.finish(lockstep.clock.at(done), wall, &lockstep.times);
+    let reached = outcome.as_ref().map_or_else(|failed| failed.time, |()| rails_end);
+    let simulated = reached.min(lockstep.clock.at(steps));
+    manifest.finish(simulated, wall, &lockstep.times);
     manifest.write(results)?;
-    outcome.map_err(|failed| failed.into_error(lockstep, results))?;
+    outcome.map_err(|failed| step_error(failed, results))?;
     end.map_err(RunError::End)?;
-    Ok((lockstep.clock.at(steps), wall, steps))
+    Ok(Done { simulated, rails: rails_end, wall, steps })
 }
 
-/// A step that failed.
-struct FailedStep {
-    k: u64,
-    source: StepFailure,
-}
-
-enum StepFailure {
-    Unit(UnitError),
-    Observe(ObserveError),
-}
-
-impl FailedStep {
-    fn into_error(self, lockstep: &Lockstep, results: &Path) -> RunError {
-        match self.source {
-            StepFailure::Unit(source) => RunError::Step {
-                time: lockstep.clock.at(self.k),
-                source,
-                results: results.display().to_string(),
-            },
-            StepFailure::Observe(source) => source.into(),
+fn step_error(failed: FailedStep, results: &Path) -> RunError {
+    let FailedStep { time, source } = failed;
+    match source {
+        StepFailure::Unit(source) => {
+            RunError::Step { time, source, results: results.display().to_string() }
         }
+        StepFailure::Observe(source) => source.into(),
     }
-}
-
-/// Steps and records from the first to the last step; gives the number of steps.
-fn steps_of_the_run(
-    steps: u64,
-    lockstep: &mut Lockstep,
-    recorder: &mut Recorder,
-    progress: &mut Progress,
-) -> Result<u64, FailedStep> {
-    for k in 0..steps {
-        lockstep.step(k).map_err(|e| FailedStep { k, source: StepFailure::Unit(e) })?;
-        let mut watch = Stopwatch::start();
-        recorder
-            .observe(k + 1, lockstep)
-            .map_err(|e| FailedStep { k, source: StepFailure::Observe(e) })?;
-        progress.show(k + 1, lockstep.clock.at(k + 1), lockstep);
-        lockstep.times.recording += watch.lap();
-    }
-    Ok(steps)
 }
 
 fn warnings(lockstep: &mut Lockstep) -> Vec<String> {
@@ -263,15 +250,19 @@ impl From<manifest::ManifestError> for RunError {
 
 impl fmt::Display for Finished {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let wall = self.wall.as_secs_f64();
+        let Done { simulated, rails, wall, steps } = &self.done;
+        let wall = wall.as_secs_f64();
         writeln!(
             f,
-            "{:.1} s simulated in {wall:.1} s: {:.2} times real time with {} threads",
-            self.simulated,
-            self.simulated / wall,
+            "{simulated:.1} s simulated in {wall:.1} s: {:.2} times real time with {} threads",
+            simulated / wall,
             self.threads
         )?;
-        let per_step = |time: Duration| time.as_secs_f64() * 1e6 / self.steps as f64;
+        if rails > simulated {
+            let after = self.times.rails_after.as_secs_f64();
+            writeln!(f, "rails alone or under further trains until {rails:.1} s: {after:.1} s")?;
+        }
+        let per_step = |time: Duration| time.as_secs_f64() * 1e6 / *steps as f64;
         let times = &self.times;
         write!(f, "per step: train {:.1} µs, ", per_step(times.train))?;
         if self.vehicles > 0 {
@@ -286,8 +277,8 @@ impl fmt::Display for Finished {
             per_step(times.exchange),
             per_step(times.recording)
         )?;
-        for MainFigure { name, value, place } in &self.figures {
-            writeln!(f, "{name:<46} {value:<24} {place}")?;
+        for MainFigure { name, text, place, .. } in &self.figures {
+            writeln!(f, "{name:<46} {text:<24} {place}")?;
         }
         for warning in &self.warnings {
             writeln!(f, "warning: {warning}")?;

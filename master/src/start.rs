@@ -19,11 +19,16 @@ pub struct StartValues {
 }
 
 impl Lockstep {
-    /// Initialises all units for a run until `stop`, s.
+    /// Initialises all units for a run until `stop`, the rails until `rails_stop`, s.
     ///
     /// # Errors
     /// When a unit cannot be initialised.
-    pub fn initialize(&mut self, values: StartValues, stop: f64) -> Result<(), UnitError> {
+    pub fn initialize(
+        &mut self,
+        values: StartValues,
+        stop: f64,
+        rails_stop: f64,
+    ) -> Result<(), UnitError> {
         let start = self.clock.start;
         self.train.initialize(values, start, stop)?;
         self.pass_forces();
@@ -37,7 +42,7 @@ impl Lockstep {
             vehicle.initialize(*place, start, stop)
         })?;
         self.pass_wheels();
-        self.rail.as_mut().map_or(Ok(()), |rail| rail.initialize(start, stop))
+        parallel::for_each(&mut self.rails, |rail| rail.initialize(start, rails_stop))
     }
 
     /// Ends the run of all units; every one is told, the first error is given.

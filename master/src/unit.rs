@@ -45,6 +45,18 @@ pub trait Unit: Send {
     /// When the unit refuses.
     fn set_text(&mut self, reference: u32, value: &str) -> Result<(), UnitError>;
 
+    /// Sets an Integer variable.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_integer(&mut self, reference: u32, value: i32) -> Result<(), UnitError>;
+
+    /// Sets a Boolean variable.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_boolean(&mut self, reference: u32, value: bool) -> Result<(), UnitError>;
+
     /// Sets Real variables by value reference.
     ///
     /// # Errors

@@ -153,6 +153,29 @@ impl Unit for FmuInstance {
         )
     }
 
+    fn set_integer(&mut self, reference: u32, value: i32) -> Result<(), UnitError> {
+        self.call(
+            // SAFETY: one reference and one value, both alive during the call.
+            |f, c| unsafe { (f.set_integer)(c, &raw const reference, 1, &raw const value) },
+            |this| {
+                let name = this.names(VariableType::Integer, &[reference]);
+                format!("fmi2SetInteger of {name} = {value}")
+            },
+        )
+    }
+
+    fn set_boolean(&mut self, reference: u32, value: bool) -> Result<(), UnitError> {
+        let c_value = i32::from(value);
+        self.call(
+            // SAFETY: one reference and one value, both alive during the call.
+            |f, c| unsafe { (f.set_boolean)(c, &raw const reference, 1, &raw const c_value) },
+            |this| {
+                let name = this.names(VariableType::Boolean, &[reference]);
+                format!("fmi2SetBoolean of {name} = {value}")
+            },
+        )
+    }
+
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
         assert_eq!(references.len(), values.len(), "one value for each reference");
         self.call(

@@ -109,7 +109,7 @@ impl Energy {
             self.pass(wheels, weather, length, done, 1.0);
         }
         for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
-            *position = Some(wheel.position);
+            *position = wheel.place();
         }
         self.stray(wheels)
     }
@@ -149,6 +149,10 @@ impl Energy {
         let rail = self.untouched.initial_crown()
             + dot(self.readings.surface(), &self.state.untouched.amplitudes);
         for (index, wheel) in wheels.iter().enumerate() {
+            if wheel.is_absent() {
+                self.state.wheels[index] = weather.ambient + heat.initial_rise;
+                continue;
+            }
             let temperature = self.state.wheels[index];
             let mut gained = heat.gain(wheel, temperature, weather.ambient, time);
             if wheel.contact.normal_force > 0.0 {
