@@ -8,6 +8,7 @@
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
 //! | `unit.rs`, `port.rs`, `roles.rs` | units, the signals they exchange, and their roles |
 //! | `start.rs`, `lockstep.rs`, `rail.rs`, `parallel.rs` | initialisation and the step loop |
+//! | `foresee.rs` | what is wrong with the run before its first step |
 //! | `traffic.rs`, `tape.rs` | what the rails go through after the run |
 //! | `synchronisation.rs` | the controller that keeps vehicles at their place |
 //! | `run.rs`, `stepping.rs`, `observe.rs`, `observe_rail.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
@@ -17,6 +18,7 @@
 mod archive;
 pub mod commands;
 mod fmi;
+mod foresee;
 mod interface;
 mod lockstep;
 mod manifest;

@@ -50,11 +50,13 @@ impl Builder<'_> {
         };
         let mut unit: Box<dyn Unit> = Box::new(FmuInstance::new(import, &name)?);
         self.set_rail_parameters(heat, side, unit.as_mut())?;
+        let mut constants = vec![];
         for (name, value) in &heat.parameters {
-            set_parameter(unit.as_mut(), import, name, value)?;
+            constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
         }
         let every = heat.step_s.map_or(1, |step| (step / self.scenario.step_s).round() as u64);
         let mut rail = Rail::new(unit, inputs, wheelsets.to_vec(), side, every);
+        rail.constants = constants;
         if heat.trains.count > 1 {
             rail.tape = Some(self.tape()?);
         }
@@ -109,13 +111,14 @@ pub(crate) fn field_file(sides: &[usize], side: usize) -> String {
     }
 }
 
-/// Sets a parameter, or an input that keeps its value, as the scenario says.
+/// Sets a parameter as the scenario says. An input is given back with its value, since an FMU
+/// takes inputs only when it is being initialised (FMI 2.0 §4.2.4).
 fn set_parameter(
     unit: &mut dyn Unit,
     import: &Import,
     name: &str,
     value: &Value,
-) -> Result<(), PrepareError> {
+) -> Result<Option<(u32, f64)>, PrepareError> {
     let wrong = |problem: String| PrepareError::Parameter {
         name: name.to_owned(),
         value: value.to_string(),
@@ -125,22 +128,23 @@ fn set_parameter(
     let variable = unit.interface().variable(name).cloned().ok_or_else(|| {
         wrong(format!("{file} has no such variable; `hotfoot interface {file}` lists them"))
     })?;
-    if !["parameter", "input"].contains(&variable.causality.as_str()) {
-        return Err(wrong(format!("it is no parameter but {} of {file}", variable.causality)));
-    }
-    let Variable { reference, kind, .. } = variable;
-    match (kind, value) {
-        (VariableType::Real, Value::Real(value)) => unit.set_reals(&[reference], &[*value])?,
-        (VariableType::Real, Value::Integer(value)) => {
-            unit.set_reals(&[reference], &[f64::from(*value)])?;
+    let Variable { reference, kind, causality, .. } = variable;
+    match (causality.as_str(), kind, value) {
+        ("input", VariableType::Real, value) if value.number().is_some() => {
+            return Ok(value.number().map(|number| (reference, number)));
         }
-        (VariableType::Integer, Value::Integer(value)) => unit.set_integer(reference, *value)?,
-        (VariableType::Boolean, Value::Boolean(value)) => unit.set_boolean(reference, *value)?,
-        (VariableType::Text, Value::Text(value)) => unit.set_text(reference, value)?,
-        (VariableType::Text, Value::File(original)) => {
+        ("parameter", _, _) => {}
+        _ => return Err(wrong(format!("it is no parameter but {causality} of {file}"))),
+    }
+    match (kind, value, value.number()) {
+        (VariableType::Real, _, Some(number)) => unit.set_reals(&[reference], &[number])?,
+        (VariableType::Integer, Value::Integer(value), _) => unit.set_integer(reference, *value)?,
+        (VariableType::Boolean, Value::Boolean(value), _) => unit.set_boolean(reference, *value)?,
+        (VariableType::Text, Value::Text(value), _) => unit.set_text(reference, value)?,
+        (VariableType::Text, Value::File(original), _) => {
             unit.set_text(reference, &path_of_copy(import, name, original))?;
         }
-        (kind, _) => {
+        _ => {
             let wanted = match kind {
                 VariableType::Real => "a Real: a number such as 0.5",
                 VariableType::Integer => "an Integer: a whole number such as 2",
@@ -150,7 +154,7 @@ fn set_parameter(
             return Err(wrong(format!("it is {wanted}")));
         }
     }
-    Ok(())
+    Ok(None)
 }
 
 /// The file in the FMU's resources; the original for an FMU that was not packed for the scenario.

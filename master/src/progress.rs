@@ -31,6 +31,11 @@ impl Progress {
         Self { bar, begin: now, updated: now, duration }
     }
 
+    /// Tells something that the user should know before the run is over.
+    pub fn tell(&self, sentence: &str) {
+        self.bar.suspend(|| eprintln!("note: {sentence}"));
+    }
+
     /// Shows the state after `done` steps at `time`, if it is due.
     pub fn show(&mut self, done: u64, time: f64, lockstep: &Lockstep) {
         let now = Instant::now();

@@ -20,6 +20,8 @@ pub struct Rail {
     pub side: usize,
     /// Exchange steps per step of the rail.
     pub every: u64,
+    /// Inputs that keep a value throughout, such as those of the weather: reference and value.
+    pub constants: Vec<(u32, f64)>,
     /// What the wheels of the run do, if further trains shall do the same.
     pub tape: Option<Tape>,
     /// Sums since the last step of the rail, for the means that it gets.
@@ -38,7 +40,8 @@ impl Rail {
         every: u64,
     ) -> Self {
         let sums = vec![0.0; inputs.values.len()];
-        Self { unit, inputs, wheelsets, side, every, tape: None, sums, gathered: 0 }
+        let constants = vec![];
+        Self { unit, inputs, wheelsets, side, every, constants, tape: None, sums, gathered: 0 }
     }
 
     /// `left` or `right`.

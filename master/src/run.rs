@@ -6,11 +6,13 @@ use std::time::{Duration, Instant};
 
 use miette::Diagnostic;
 
+use crate::foresee::wheels_outside;
 use crate::lockstep::Lockstep;
 use crate::manifest::{self, Manifest};
 use crate::observe::{ObserveError, Recorder};
 use crate::parallel;
 use crate::prepare::{Folders, PrepareError, prepare};
+use crate::prepare_rail::Extent;
 use crate::progress::Progress;
 use crate::report::{self, MainFigure, ReportError};
 use crate::scenario::{self, Scenario, ScenarioError};
@@ -176,6 +178,11 @@ fn run_prepared(
     recorder.observe(0, lockstep)?;
 
     let mut progress = Progress::new(steps, scenario.duration_s, quiet);
+    if let (Some(rail), Some(heat)) = (lockstep.rails.first(), &scenario.heat) {
+        let extent = Extent::of(scenario, heat);
+        manifest.run.notes = wheels_outside(rail, &extent, scenario.duration_s);
+    }
+    manifest.run.notes.iter().for_each(|note| progress.tell(note));
     let begin = Instant::now();
     let mut stepping = Stepping { lockstep, recorder: &mut recorder, progress: &mut progress };
     let outcome = stepping.run(steps);

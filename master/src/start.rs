@@ -77,6 +77,9 @@ impl Vehicle {
 impl Rail {
     fn initialize(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {
         self.unit.enter_initialization(start, stop)?;
+        for &(reference, value) in &self.constants {
+            self.unit.set_reals(&[reference], &[value])?;
+        }
         self.form_means();
         self.inputs.set(self.unit.as_mut())?;
         self.unit.exit_initialization()

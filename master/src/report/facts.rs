@@ -19,6 +19,9 @@ pub struct RunFacts {
     /// The heated rails; none without rail heat.
     #[serde(default)]
     pub rails: Option<RailFacts>,
+    /// What was foreseen before the first step, such as wheels outside the modelled rail.
+    #[serde(default)]
+    pub notes: Vec<String>,
     /// Times whose temperature field the report shows, s.
     #[serde(default)]
     pub heat_maps_at_s: Vec<f64>,

@@ -23,6 +23,17 @@ pub enum Value {
     File(PathBuf),
 }
 
+impl Value {
+    /// The number that it is, if it is one.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Integer(value) => Some(f64::from(*value)),
+            Self::Real(value) => Some(*value),
+            Self::Boolean(_) | Self::Text(_) | Self::File(_) => None,
+        }
+    }
+}
+
 impl fmt::Display for Value {
     /// As it stands in the scenario's file.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
