@@ -4,6 +4,7 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 
+use zip::CompressionMethod;
 use zip::write::SimpleFileOptions;
 
 /// Largest total size that an FMU may unpack to, bytes.
@@ -91,6 +92,27 @@ pub fn unpack(archive: &Path, target: &Path) -> Result<(), ArchiveError> {
     Ok(())
 }
 
+/// The entries of an archive that are packed in another way than stored or deflated, which is all
+/// that FMI 2.0 allows (§2.3), and the ways.
+///
+/// # Errors
+/// When the archive cannot be read or is damaged.
+pub fn uncommon_entries(archive: &Path) -> Result<Vec<(String, String)>, ArchiveError> {
+    let damaged = |source| ArchiveError::Damaged { path: archive.display().to_string(), source };
+    let file = fs::File::open(archive).map_err(io_error(archive))?;
+    let mut zip = zip::ZipArchive::new(file).map_err(damaged)?;
+    let mut uncommon = vec![];
+    for i in 0..zip.len() {
+        let entry = zip.by_index_raw(i).map_err(damaged)?;
+        let method = entry.compression();
+        if !matches!(method, CompressionMethod::Stored | CompressionMethod::Deflated) {
+            let name = entry.name().map_err(damaged)?.into_owned();
+            uncommon.push((name, format!("{method:?}")));
+        }
+    }
+    Ok(uncommon)
+}
+
 /// The entry's path if it stays inside of the folder it is unpacked to.
 fn safe_path(entry: &str) -> Option<PathBuf> {
     if entry.contains('\\') || entry.contains(':') || entry.contains('\0') {
@@ -114,7 +136,7 @@ pub fn pack(folder: &Path, archive: &Path) -> Result<(), ArchiveError> {
     let out = fs::File::create(archive).map_err(io_error(archive))?;
     let mut zip = zip::ZipWriter::new(out);
     let options = SimpleFileOptions::default()
-        .compression_method(zip::CompressionMethod::Deflated)
+        .compression_method(CompressionMethod::Deflated)
         .last_modified_time(zip::DateTime::default());
     for file in files {
         let name = file.strip_prefix(folder).unwrap_or(&file).to_string_lossy().replace('\\', "/");

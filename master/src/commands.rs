@@ -1,15 +1,15 @@
 //! The commands of the program `hotfoot`.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use clap::Args;
 use miette::{IntoDiagnostic, Result, miette};
 
-use crate::fmi::Import;
 use crate::pack::{self, Binary};
-use crate::roles::{self, Role};
 use crate::run::{self, Options};
-use crate::{archive, report, scenario};
+use crate::{archive, reference, report, scenario};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
@@ -38,15 +38,28 @@ pub struct RunArguments {
 pub struct PackArguments {
     /// Shared library, or an FMU that was packed before
     binary: PathBuf,
-    /// Folder with the resources
+    /// Folder with the resources, where the model needs any
     #[arg(long)]
-    resources: PathBuf,
+    resources: Option<PathBuf>,
     /// Rolling-stock library that is put into the resources as `stock`
     #[arg(long)]
     stock: Option<PathBuf>,
+    /// Folder with the experiment whose result the FMU shall carry as a self-test
+    #[arg(long)]
+    reference: Option<PathBuf>,
+    /// Text in Markdown with the equations, for the documentation
+    #[arg(long)]
+    theory: Option<PathBuf>,
     /// FMU to write
     #[arg(long, short)]
     output: PathBuf,
+}
+
+/// Arguments that a command of the program `hotfoot-tools` gets as they are, `--help` too.
+#[derive(Args)]
+pub struct ToolArguments {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENTS")]
+    arguments: Vec<OsString>,
 }
 
 /// Runs a scenario, tells where the results are, and the main figures.
@@ -83,31 +96,15 @@ pub fn report(results: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Says whether an FMU can fill a role.
-///
-/// # Errors
-/// When the FMU cannot be read, or lacks something.
-pub fn check(fmu: &Path, role: Role) -> Result<()> {
-    let import = Import::open(fmu).into_diagnostic()?;
-    let problems = roles::missing(import.interface(), role);
-    if !problems.is_empty() {
-        return Err(miette!(
-            "{} cannot be used as {role:?}:\n{}",
-            fmu.display(),
-            problems.join("\n")
-        ));
-    }
-    println!("{} can be used as {role:?}", fmu.display());
-    Ok(())
-}
-
 /// Packs an FMU.
 ///
 /// # Errors
 /// When files are missing, or the model refuses the resources.
 pub fn pack(arguments: &PackArguments) -> Result<()> {
     let folder = tempfile::tempdir().into_diagnostic()?;
-    pack::copy_folder(&arguments.resources, folder.path()).into_diagnostic()?;
+    if let Some(resources) = &arguments.resources {
+        pack::copy_folder(resources, folder.path()).into_diagnostic()?;
+    }
     if let Some(stock) = &arguments.stock {
         pack::copy_folder(stock, &folder.path().join("stock")).into_diagnostic()?;
     }
@@ -116,7 +113,14 @@ pub fn pack(arguments: &PackArguments) -> Result<()> {
         true => Binary::Fmu(&arguments.binary),
         false => Binary::Library(&arguments.binary),
     };
-    pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()
+    pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()?;
+    if let Some(theory) = &arguments.theory {
+        pack::add_equations(&arguments.output, theory).into_diagnostic()?;
+    }
+    match &arguments.reference {
+        Some(reference) => reference::pack(&arguments.output, reference).into_diagnostic(),
+        None => Ok(()),
+    }
 }
 
 /// Lists the variables of an FMU, or prints its model description.
@@ -148,4 +152,20 @@ pub fn schema() -> Result<()> {
     let schema = schemars::schema_for!(scenario::Scenario);
     println!("{}", serde_json::to_string_pretty(&schema).into_diagnostic()?);
     Ok(())
+}
+
+/// Runs a command of the program `hotfoot-tools`, which stands beside this one: it knows the models
+/// that the master does not know. Ends this program with the status of that one.
+///
+/// # Errors
+/// When the program cannot be started.
+pub fn tool(command: &str, arguments: &ToolArguments) -> Result<()> {
+    let name = format!("hotfoot-tools{}", std::env::consts::EXE_SUFFIX);
+    let program = std::env::current_exe().unwrap_or_default().with_file_name(name);
+    let status = Command::new(&program).arg(command).args(&arguments.arguments).status();
+    let status = status.map_err(|error| {
+        let program = program.display();
+        miette!("`hotfoot {command}` needs the program {program}, which cannot be started: {error}")
+    })?;
+    std::process::exit(status.code().unwrap_or(1))
 }

@@ -4,12 +4,13 @@
 //! stepped, so that no output is read between a set and the next step (FMI 2.0 §4.2.4). Times
 //! are t_k = t_0 + k·h from integers.
 
+use controller::{Controller, Motion};
+
 use crate::parallel;
 use crate::port::Port;
 use crate::rail::Rail;
 use crate::roles::{train, vehicle_input, vehicle_output};
 use crate::scenario::Scheme;
-use crate::synchronisation::{Controller, Motion};
 use crate::times::{StepTimes, Stopwatch};
 use crate::unit::{Unit, UnitError};
 
@@ -17,6 +18,8 @@ use crate::unit::{Unit, UnitError};
 pub struct Train {
     /// The unit.
     pub unit: Box<dyn Unit>,
+    /// Position and speed at the start.
+    pub start: Port,
     /// Outputs at the last communication point.
     pub outputs: Port,
 }
@@ -25,12 +28,17 @@ pub struct Train {
 pub struct Vehicle {
     /// The unit.
     pub unit: Box<dyn Unit>,
+    /// Position and speed at the start.
+    pub start: Port,
     /// Forces of the step, [`vehicle_input::NAMES`].
     pub inputs: Port,
     /// Outputs at the last communication point, laid out as [`vehicle_output`] says.
     pub outputs: Port,
     /// Keeps it at its place in the train.
     pub controller: Controller,
+    /// The controller's output at the last communication point, for the scheme in which it is a
+    /// unit like the others, N.
+    pub controller_force: f64,
 }
 
 /// Communication points t_k = start + k·length.
@@ -125,14 +133,18 @@ impl Lockstep {
     }
 
     /// Forms the synchronisation forces from the errors at one instant.
+    ///
+    /// Sequentially they act at once; where all units take the last exchange, a force acts in
+    /// the step after the one in which the controller has formed it.
     fn synchronise(&mut self) {
-        let length = self.clock.length;
+        let (length, scheme) = (self.clock.length, self.scheme);
         for (vehicle, place) in self.vehicles.iter_mut().zip(self.train.blocks()) {
-            let motion = vehicle.motion();
-            let in_train =
-                Motion { position: place[train::POSITION], velocity: place[train::VELOCITY] };
-            vehicle.inputs.values[vehicle_input::SYNCHRONISATION] =
-                vehicle.controller.force(motion, in_train, length);
+            let force = vehicle.controller.step(vehicle.motion(), in_train(place), length);
+            let last = std::mem::replace(&mut vehicle.controller_force, force);
+            vehicle.inputs.values[vehicle_input::SYNCHRONISATION] = match scheme {
+                Scheme::Sequential => force,
+                Scheme::Jacobi => last,
+            };
         }
     }
 
@@ -156,6 +168,11 @@ impl Lockstep {
     }
 }
 
+/// Motion of a vehicle's place in the train, from its block of outputs.
+pub fn in_train(block: &[f64]) -> Motion {
+    Motion { position: block[train::POSITION], velocity: block[train::VELOCITY] }
+}
+
 impl Train {
     fn step(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
         self.unit.step(time, length)?;
@@ -173,6 +190,12 @@ impl Vehicle {
         self.inputs.set(self.unit.as_mut())?;
         self.unit.step(time, length)?;
         self.outputs.get(self.unit.as_mut())
+    }
+
+    /// Number of its wheelsets.
+    pub fn wheelsets(&self) -> usize {
+        let of_wheelsets = self.outputs.values.len() - vehicle_output::NAMES.len();
+        of_wheelsets / vehicle_output::WHEELSET_BLOCK
     }
 
     /// Position and velocity at the last communication point.

@@ -3,19 +3,21 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
+use controller::{Controller, Gains, Motion};
+
 use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::mock::Mock;
 use crate::port::{Port, Signal};
 use crate::rail::Rail;
 use crate::roles::{self, vehicle_input, vehicle_output};
 use crate::scenario::Scheme;
-use crate::start::StartValues;
-use crate::synchronisation::{Controller, Gains};
 use crate::tape::Tape;
 use crate::unit::Unit;
 
 const VEHICLES: usize = 2;
 const STEP: f64 = 0.5;
+/// Gain of the controllers on the position error, N/m.
+const KP: f64 = 2.0;
 
 type Calls = Arc<Mutex<Vec<String>>>;
 
@@ -39,11 +41,13 @@ fn train(calls: &Calls) -> Train {
                 time + length + 100.0 * place as f64;
         }
     });
+    let start = port(&unit, &signals.parameters, "parameter");
     let outputs = port(&unit, &signals.outputs, "output");
-    Train { unit: Box::new(unit), outputs }
+    Train { unit: Box::new(unit), start, outputs }
 }
 
-/// A vehicle's position is the force that it got; its wheels' friction power is the time.
+/// A vehicle's position is the time, that of its wheelset the force that it got; its wheels'
+/// friction power is the time.
 fn vehicle(place: usize, calls: &Calls) -> Vehicle {
     let signals = roles::vehicle_signals(1);
     let variables: Vec<_> = with(&signals.inputs, "input")
@@ -53,14 +57,24 @@ fn vehicle(place: usize, calls: &Calls) -> Vehicle {
     let outputs_at = signals.inputs.len();
     let name = format!("vehicle[{}]", place + 1);
     let unit = Mock::new(&name, &variables, calls, move |values, time, length| {
+        values[outputs_at + vehicle_output::POSITION] = time + length;
         values[outputs_at + vehicle_output::wheelset(0)] = values[vehicle_input::COUPLER_FRONT];
         values[outputs_at + vehicle_output::wheel(0, 0) + vehicle_output::FRICTION_POWER] =
             time + length;
     });
+    let start = port(&unit, &signals.parameters, "parameter");
     let inputs = port(&unit, &signals.inputs, "input");
     let outputs = port(&unit, &signals.outputs, "output");
-    let gains = Gains { proportional: 0.0, integral: 0.0, derivative: 0.0, limit: 0.0 };
-    Vehicle { unit: Box::new(unit), inputs, outputs, controller: Controller::new(gains) }
+    let limit = f64::INFINITY;
+    let gains = Gains { proportional: KP, integral: 0.0, derivative: 0.0, limit };
+    Vehicle {
+        unit: Box::new(unit),
+        start,
+        inputs,
+        outputs,
+        controller: Controller::new(gains),
+        controller_force: 0.0,
+    }
 }
 
 fn lockstep(scheme: Scheme, every: u64) -> (Lockstep, Calls) {
@@ -82,10 +96,17 @@ fn lockstep(scheme: Scheme, every: u64) -> (Lockstep, Calls) {
 }
 
 fn run(lockstep: &mut Lockstep, steps: u64) {
+    run_from(lockstep, 0, steps);
+}
+
+/// Runs the steps from `first` up to before `end`, from the initialisation if that is step 0.
+fn run_from(lockstep: &mut Lockstep, first: u64, end: u64) {
     let pool = crate::parallel::pool(1).unwrap();
     pool.install(|| {
-        lockstep.initialize(StartValues { position: 0.0, velocity: 1.0 }, 10.0, 10.0).unwrap();
-        for k in 0..steps {
+        if first == 0 {
+            lockstep.initialize(Motion { position: 0.0, velocity: 1.0 }, 10.0, 10.0).unwrap();
+        }
+        for k in first..end {
             lockstep.step(k).unwrap();
         }
     });
@@ -112,6 +133,22 @@ fn jacobi_vehicles_get_the_forces_of_the_beginning_of_the_step() {
     let forces = lockstep.vehicles.iter().map(|v| v.inputs.values[vehicle_input::COUPLER_FRONT]);
     assert_eq!(forces.collect::<Vec<_>>(), [0.5, 100.5]);
     assert_eq!(lockstep.rails[0].inputs.values[POWER], 0.5);
+}
+
+/// The error of position is the time, as the train's place in the mock is zero.
+#[test]
+fn the_controllers_force_acts_at_once_or_as_that_of_a_unit_one_step_later() {
+    for (scheme, expected) in
+        [(Scheme::Sequential, [0.0, -0.5 * KP, -KP]), (Scheme::Jacobi, [0.0, 0.0, -0.5 * KP])]
+    {
+        let (mut lockstep, _) = lockstep(scheme, 1);
+        let mut forces = vec![];
+        for steps in 0..3 {
+            run_from(&mut lockstep, steps, steps + 1);
+            forces.push(lockstep.vehicles[0].inputs.values[vehicle_input::SYNCHRONISATION]);
+        }
+        assert_eq!(forces, expected, "{scheme:?}");
+    }
 }
 
 #[test]

@@ -31,6 +31,7 @@ impl Mock {
             kind: VariableType::Real,
             causality: (*causality).to_owned(),
             unit: None,
+            si: None,
             description: String::new(),
         };
         Self {

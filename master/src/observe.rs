@@ -11,7 +11,7 @@ use crate::recording::{
     Column, RecordingError, SeriesWriter, Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys,
 };
 use crate::report::EnergyLine;
-use crate::roles::{SIDES, train, vehicle_input, vehicle_output, wheelset_count};
+use crate::roles::{SIDES, train, vehicle_input, vehicle_output};
 use crate::scenario::Scenario;
 use crate::unit::{Unit, UnitError};
 
@@ -185,7 +185,7 @@ fn wheel_rows(scenario: &Scenario, lockstep: &Lockstep) -> Vec<(usize, usize, us
     let mut rows = vec![];
     for place in scenario.recorded_vehicles() {
         let vehicle = lockstep.vehicles.get(place - 1);
-        let wheelsets = vehicle.map_or(0, |vehicle| wheelset_count(vehicle.unit.interface()));
+        let wheelsets = vehicle.map_or(0, Vehicle::wheelsets);
         for j in 0..wheelsets {
             rows.extend([(place - 1, j, 0), (place - 1, j, 1)]);
         }

@@ -5,14 +5,15 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use controller::{Controller, Gains};
+
 use crate::fmi::{FmuInstance, Import, ImportError};
 use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::pack::{Binary, PackError, pack};
 use crate::port::{Port, Signal};
 use crate::resources::{self, Origins};
-use crate::roles::{self, wheelset_count};
+use crate::roles::{self, RoleSignals, wheelset_count};
 use crate::scenario::Scenario;
-use crate::synchronisation::{Controller, Gains};
 use crate::times::StepTimes;
 use crate::unit::UnitError;
 
@@ -125,11 +126,9 @@ impl Builder<'_> {
             })?,
         };
         let signals = roles::longitudinal_signals(self.scenario.vehicle_count());
-        let outputs =
-            connect(&import, &signals.outputs, "output", &BTreeMap::new(), "longitudinal")?;
-        connect(&import, &signals.parameters, "parameter", &BTreeMap::new(), "longitudinal")?;
+        let ports = connect(&import, &signals, &BTreeMap::new(), "longitudinal")?;
         let unit = Box::new(FmuInstance::new(&import, "train")?);
-        Ok(Train { unit, outputs })
+        Ok(Train { unit, start: ports.parameters, outputs: ports.outputs })
     }
 
     fn vehicles(&self) -> Result<Vec<Vehicle>, PrepareError> {
@@ -168,13 +167,17 @@ impl Builder<'_> {
         place: usize,
         names: &BTreeMap<String, String>,
     ) -> Result<Vehicle, PrepareError> {
-        let signals = roles::vehicle_signals(wheelset_count(import.interface()));
-        connect(import, &signals.parameters, "parameter", names, "vehicle")?;
-        let inputs = connect(import, &signals.inputs, "input", names, "vehicle")?;
-        let outputs = connect(import, &signals.outputs, "output", names, "vehicle")?;
+        let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
+        let ports = connect(import, &signals, names, "vehicle")?;
         let unit = Box::new(FmuInstance::new(import, &format!("vehicle[{place}]"))?);
-        let controller = Controller::new(Gains::from(&self.scenario.synchronisation));
-        Ok(Vehicle { unit, inputs, outputs, controller })
+        Ok(Vehicle {
+            unit,
+            start: ports.parameters,
+            inputs: ports.inputs,
+            outputs: ports.outputs,
+            controller: Controller::new(Gains::from(&self.scenario.synchronisation)),
+            controller_force: 0.0,
+        })
     }
 
     /// Packs one of Hotfoot's own FMUs with the resources that `write` makes, and imports it.
@@ -205,15 +208,36 @@ impl Builder<'_> {
     }
 }
 
+/// The ports of an FMU in its role.
+pub(crate) struct Ports {
+    pub(crate) parameters: Port,
+    pub(crate) inputs: Port,
+    pub(crate) outputs: Port,
+}
+
+/// Finds the signals of a role in an FMU, before anything is run; tells all that is missing.
 pub(crate) fn connect(
     import: &Import,
-    signals: &[Signal],
-    causality: &str,
+    signals: &RoleSignals,
     names: &BTreeMap<String, String>,
     role: &'static str,
-) -> Result<Port, PrepareError> {
-    Port::connect(import.interface(), signals, causality, names)
-        .map_err(|problems| PrepareError::Unfit { file: import.file().to_owned(), role, problems })
+) -> Result<Ports, PrepareError> {
+    let mut problems = vec![];
+    let mut port = |signals: &[Signal], causality| {
+        Port::connect(import.interface(), signals, causality, names).unwrap_or_else(|missing| {
+            problems.extend(missing);
+            Port::default()
+        })
+    };
+    let ports = Ports {
+        parameters: port(&signals.parameters, "parameter"),
+        inputs: port(&signals.inputs, "input"),
+        outputs: port(&signals.outputs, "output"),
+    };
+    match problems.is_empty() {
+        true => Ok(ports),
+        false => Err(PrepareError::Unfit { file: import.file().to_owned(), role, problems }),
+    }
 }
 
 pub(crate) fn check_instances(import: &Import, count: usize) -> Result<(), PrepareError> {

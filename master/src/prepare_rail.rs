@@ -10,7 +10,7 @@ use crate::lockstep::Vehicle;
 use crate::prepare::{Builder, PrepareError, check_instances, connect};
 use crate::rail::Rail;
 use crate::resources::{self, parameter_file};
-use crate::roles::{self, SIDES, wheelset_count};
+use crate::roles::{self, SIDES};
 use crate::scenario::{Heat, Scenario, Value};
 use crate::tape::Tape;
 use crate::unit::{Unit, UnitError};
@@ -22,8 +22,7 @@ impl Builder<'_> {
         heat: &Heat,
         vehicles: &[Vehicle],
     ) -> Result<Vec<Rail>, PrepareError> {
-        let wheelsets: Vec<usize> =
-            vehicles.iter().map(|vehicle| wheelset_count(vehicle.unit.interface())).collect();
+        let wheelsets: Vec<usize> = vehicles.iter().map(Vehicle::wheelsets).collect();
         let import = match &self.scenario.fmus.railheat {
             Some(file) => Import::open(file)?,
             None => self.packed("railheat", "rail", |folder| {
@@ -43,7 +42,7 @@ impl Builder<'_> {
         side: usize,
     ) -> Result<Rail, PrepareError> {
         let signals = roles::railheat_signals(wheelsets);
-        let inputs = connect(import, &signals.inputs, "input", &BTreeMap::new(), "railheat")?;
+        let inputs = connect(import, &signals, &BTreeMap::new(), "railheat")?.inputs;
         let name = match heat.rail.sides() {
             [_] => "rail".to_owned(),
             _ => format!("rail[{}]", SIDES[side]),

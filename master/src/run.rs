@@ -1,11 +1,12 @@
 //! A run from the scenario's file to the results folder.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
+use controller::Motion;
 use miette::Diagnostic;
 
+use crate::finished::{Done, Finished};
 use crate::foresee::wheels_outside;
 use crate::lockstep::Lockstep;
 use crate::manifest::{self, Manifest};
@@ -16,9 +17,7 @@ use crate::prepare_rail::Extent;
 use crate::progress::Progress;
 use crate::report::{self, MainFigure, ReportError};
 use crate::scenario::{self, Scenario, ScenarioError};
-use crate::start::StartValues;
 use crate::stepping::{FailedStep, StepFailure, Stepping};
-use crate::times::StepTimes;
 use crate::traffic::Traffic;
 use crate::unit::{Unit, UnitError};
 
@@ -90,18 +89,6 @@ pub enum RunError {
     Duration(f64),
 }
 
-/// What a finished run tells.
-#[derive(Debug)]
-pub struct Finished {
-    report: PathBuf,
-    done: Done,
-    times: StepTimes,
-    vehicles: usize,
-    threads: usize,
-    figures: Vec<MainFigure>,
-    warnings: Vec<String>,
-}
-
 /// Runs a scenario.
 ///
 /// # Errors
@@ -134,7 +121,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
         manifest.figure.clone_from(&figures);
         manifest.write(&folders.results)?;
         Ok(Finished {
-            figures,
+            figures: figures.into_iter().filter(MainFigure::is_told).collect(),
             report,
             done,
             times: lockstep.times,
@@ -143,17 +130,6 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
             warnings: warnings(&mut lockstep),
         })
     })
-}
-
-/// How far a run has come, and in which wall time.
-#[derive(Debug)]
-struct Done {
-    /// Time of the train, s.
-    simulated: f64,
-    /// Time of the rails, s.
-    rails: f64,
-    wall: Duration,
-    steps: u64,
 }
 
 /// Initialises, steps and records.
@@ -165,7 +141,7 @@ fn run_prepared(
     quiet: bool,
 ) -> Result<Done, RunError> {
     let steps = (scenario.duration_s / scenario.step_s).round() as u64;
-    let start = StartValues {
+    let start = Motion {
         position: scenario.train.leading_vehicle_position_m,
         velocity: scenario.train.speed_m_per_s,
     };
@@ -252,44 +228,5 @@ fn absolute(folder: &Path) -> Result<PathBuf, RunError> {
 impl From<manifest::ManifestError> for RunError {
     fn from(error: manifest::ManifestError) -> Self {
         Self::Io { path: error.path, source: error.source }
-    }
-}
-
-impl fmt::Display for Finished {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Done { simulated, rails, wall, steps } = &self.done;
-        let wall = wall.as_secs_f64();
-        writeln!(
-            f,
-            "{simulated:.1} s simulated in {wall:.1} s: {:.2} times real time with {} threads",
-            simulated / wall,
-            self.threads
-        )?;
-        if rails > simulated {
-            let after = self.times.rails_after.as_secs_f64();
-            writeln!(f, "rails alone or under further trains until {rails:.1} s: {after:.1} s")?;
-        }
-        let per_step = |time: Duration| time.as_secs_f64() * 1e6 / *steps as f64;
-        let times = &self.times;
-        write!(f, "per step: train {:.1} µs, ", per_step(times.train))?;
-        if self.vehicles > 0 {
-            let vehicles = per_step(times.vehicles);
-            let each = vehicles * self.threads as f64 / self.vehicles as f64;
-            write!(f, "vehicles {vehicles:.1} µs ({each:.2} µs a vehicle and thread), ")?;
-            write!(f, "rail {:.1} µs, ", per_step(times.rail))?;
-        }
-        writeln!(
-            f,
-            "exchange {:.1} µs, recording {:.1} µs",
-            per_step(times.exchange),
-            per_step(times.recording)
-        )?;
-        for MainFigure { name, text, place, .. } in &self.figures {
-            writeln!(f, "{name:<46} {text:<24} {place}")?;
-        }
-        for warning in &self.warnings {
-            writeln!(f, "warning: {warning}")?;
-        }
-        write!(f, "report: {}", self.report.display())
     }
 }

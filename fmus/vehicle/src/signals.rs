@@ -92,6 +92,7 @@ impl Signals {
         let car = std::iter::once(("body".to_owned(), "Car body".to_owned()));
         let frames = (1..=bogies).map(|i| (format!("bogie[{i}]"), format!("Bogie frame {i}")));
         let bodies: Vec<_> = car.chain(frames).collect();
+        declare_terminals(d, wheelsets);
         Self {
             vehicle_file: d.text_parameter(
                 "vehicle_file",
@@ -141,6 +142,19 @@ impl Signals {
             brake: values[inputs.brake],
             synchronisation: values[inputs.synchronisation],
             friction: values[inputs.friction],
+        }
+    }
+}
+
+/// What is connected together: the couplers with the train, the wheels with the rail.
+fn declare_terminals(d: &mut Declaration, wheelsets: usize) {
+    for end in ["front", "rear"] {
+        d.terminal(format!("coupler.{end}"), "coupler", format!("The {end} coupler"));
+    }
+    for number in 1..=wheelsets {
+        for side in ["left", "right"] {
+            let description = format!("The {side} wheel of wheelset {number} on its rail");
+            d.terminal(format!("wheelset[{number}].{side}"), "wheel", description);
         }
     }
 }

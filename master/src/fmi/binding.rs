@@ -68,10 +68,17 @@ macro_rules! functions {
                 Ok(Self { $($field,)* _library: library })
             }
         }
+
+        /// Names of the functions that the master calls.
+        const CALLED: &[&[u8]] = &[$($name),*];
     };
 }
 
 functions! {
+    /// `fmi2GetTypesPlatform`.
+    get_types_platform = b"fmi2GetTypesPlatform": fn() -> *const c_char;
+    /// `fmi2GetVersion`.
+    get_version = b"fmi2GetVersion": fn() -> *const c_char;
     /// `fmi2Instantiate`.
     instantiate = b"fmi2Instantiate": fn(*const c_char, c_int, *const c_char, *const c_char, *const Callbacks, c_int, c_int) -> Component;
     /// `fmi2FreeInstance`.
@@ -102,8 +109,6 @@ functions! {
 
 /// The functions that the master does not call, but every FMU must have (§2.3).
 const ALSO_REQUIRED: &[&[u8]] = &[
-    b"fmi2GetTypesPlatform",
-    b"fmi2GetVersion",
     b"fmi2SetDebugLogging",
     b"fmi2Reset",
     b"fmi2GetInteger",
@@ -124,6 +129,19 @@ const ALSO_REQUIRED: &[&[u8]] = &[
     b"fmi2GetBooleanStatus",
     b"fmi2GetStringStatus",
 ];
+
+/// The functions that a binary lacks of the 34 that every FMU must have.
+///
+/// # Errors
+/// When the binary cannot be loaded.
+pub fn missing_functions(binary: &Path) -> Result<Vec<String>, libloading::Error> {
+    // SAFETY: as in `Functions::load`.
+    let library = unsafe { Library::new(binary)? };
+    // SAFETY: the symbol is only looked up, never called.
+    let lacks = |name: &[u8]| unsafe { library.get::<unsafe extern "C" fn()>(name) }.is_err();
+    let names = CALLED.iter().chain(ALSO_REQUIRED).filter(|name| lacks(name));
+    Ok(names.map(|name| String::from_utf8_lossy(name).into_owned()).collect())
+}
 
 /// The name of a status.
 pub fn status_name(status: Status) -> &'static str {

@@ -1,5 +1,6 @@
 //! An FMU file: unpacked and loaded once, instantiated as often as needed.
 
+use std::ffi::{CStr, c_char};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -133,6 +134,19 @@ impl Import {
     /// The FMU's file.
     pub fn file(&self) -> &str {
         &self.file
+    }
+
+    /// What `fmi2GetVersion` and `fmi2GetTypesPlatform` answer.
+    pub fn version_and_platform(&self) -> (String, String) {
+        let text = |pointer: *const c_char| match pointer.is_null() {
+            true => String::new(),
+            // SAFETY: both functions give texts that live as long as the binary is loaded.
+            false => unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned(),
+        };
+        // SAFETY: the functions take nothing and may be called at any time.
+        unsafe {
+            (text((self.functions.get_version)()), text((self.functions.get_types_platform)()))
+        }
     }
 
     /// A message of the FMU with the files that the user knows.

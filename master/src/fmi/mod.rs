@@ -19,6 +19,7 @@ mod describe;
 mod import;
 mod instance;
 
+pub use binding::missing_functions;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;

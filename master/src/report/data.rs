@@ -69,6 +69,11 @@ impl MainFigure {
         }
     }
 
+    /// Whether it is worth a line on the terminal: heat by source is for the report and programs.
+    pub fn is_told(&self) -> bool {
+        !self.key.contains(".heat.")
+    }
+
     /// The figure with words for where and when.
     #[must_use]
     pub fn at(self, place: impl Into<String>) -> Self {

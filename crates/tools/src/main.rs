@@ -1,0 +1,28 @@
+//! The program `hotfoot-tools`, which `hotfoot` starts for its engineering commands.
+
+use clap::{Parser, Subcommand};
+use tools::modes;
+
+/// Engineering commands of Hotfoot that ask a model directly.
+#[derive(Parser)]
+#[command(version, bin_name = "hotfoot")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Natural frequencies, damping and shapes of a vehicle on its suspension
+    Modes(modes::ModesArguments),
+}
+
+fn main() -> miette::Result<()> {
+    // Wrapped lines would break the names of files.
+    miette::set_hook(Box::new(|_| {
+        Box::new(miette::MietteHandlerOpts::new().wrap_lines(false).build())
+    }))?;
+    match Arguments::parse().command {
+        Command::Modes(arguments) => modes::modes(&arguments),
+    }
+}
