@@ -15,12 +15,14 @@
 //! | `synchronisation.rs` | gains of the controllers that keep vehicles at their place |
 //! | `run.rs`, `stepping.rs`, `finished.rs`, `observe.rs`, `observe_rail.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
 //! | `recording/`, `report/` | series files and the report |
+//! | `expected.rs` | the figures of a run against those expected of its scenario |
 //! | `commands.rs` | the commands of the program |
 
 mod archive;
 pub mod check;
 pub mod commands;
 mod documentation;
+mod expected;
 mod finished;
 mod fmi;
 mod foresee;
