@@ -11,6 +11,7 @@
 //! | `synchronisation.rs` | gains of the controllers that keep vehicles at their place |
 //! | `run.rs`, `observe.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
 //! | `recording/`, `report/` | series files and the report |
+//! | `ssp/` | systems of FMUs in SSP packages: export of a train, and runs of any system |
 //! | `commands.rs` | the commands of the program |
 
 mod archive;
@@ -33,6 +34,7 @@ pub mod roles;
 mod run;
 pub mod scenario;
 mod si;
+pub mod ssp;
 mod start;
 mod synchronisation;
 mod times;

@@ -15,8 +15,10 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Run a scenario and write its results and report
+    /// Run a scenario and write its results and report, or run an SSP package
     Run(commands::RunArguments),
+    /// Write a scenario's train as an SSP package for other tools
+    ExportSsp(commands::ExportArguments),
     /// Make the report of a results folder again
     Report {
         /// Folder that a run has written
@@ -51,6 +53,7 @@ fn main() -> miette::Result<()> {
     }))?;
     match Arguments::parse().command {
         Command::Run(arguments) => commands::run(&arguments),
+        Command::ExportSsp(arguments) => commands::export_ssp(&arguments),
         Command::Report { results } => commands::report(&results),
         Command::Check { fmu, role } => commands::check(&fmu, role),
         Command::Pack(arguments) => commands::pack(&arguments),

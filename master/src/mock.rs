@@ -32,6 +32,7 @@ impl Mock {
             causality: (*causality).to_owned(),
             unit: None,
             si: None,
+            start: None,
             description: String::new(),
         };
         Self {
@@ -65,6 +66,10 @@ impl Unit for Mock {
         unreachable!("a mock has no texts")
     }
 
+    fn get_text(&mut self, _: u32) -> Result<String, UnitError> {
+        unreachable!("a mock has no texts")
+    }
+
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
         self.note("set");
         for (&reference, &value) in references.iter().zip(values) {
@@ -79,6 +84,22 @@ impl Unit for Mock {
             *value = self.values[reference as usize];
         }
         Ok(())
+    }
+
+    fn set_integers(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
+    }
+
+    fn get_integers(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
+    }
+
+    fn set_booleans(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
+    }
+
+    fn get_booleans(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
     }
 
     fn enter_initialization(&mut self, _: f64, _: f64) -> Result<(), UnitError> {

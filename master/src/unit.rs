@@ -45,6 +45,12 @@ pub trait Unit: Send {
     /// When the unit refuses.
     fn set_text(&mut self, reference: u32, value: &str) -> Result<(), UnitError>;
 
+    /// Gets a String variable.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_text(&mut self, reference: u32) -> Result<String, UnitError>;
+
     /// Sets Real variables by value reference.
     ///
     /// # Errors
@@ -56,6 +62,30 @@ pub trait Unit: Send {
     /// # Errors
     /// When the unit refuses.
     fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError>;
+
+    /// Sets Integer variables by value reference.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_integers(&mut self, references: &[u32], values: &[i32]) -> Result<(), UnitError>;
+
+    /// Gets Integer variables by value reference into `values`.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_integers(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), UnitError>;
+
+    /// Sets Boolean variables, as 0 or 1, by value reference.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_booleans(&mut self, references: &[u32], values: &[i32]) -> Result<(), UnitError>;
+
+    /// Gets Boolean variables, as 0 or 1, by value reference into `values`.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_booleans(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), UnitError>;
 
     /// Begins the initialisation of a run from `start` to `stop`, s.
     ///

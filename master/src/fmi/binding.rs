@@ -88,6 +88,16 @@ functions! {
     get_real = b"fmi2GetReal": fn(Component, *const Reference, usize, *mut c_double) -> Status;
     /// `fmi2SetReal`.
     set_real = b"fmi2SetReal": fn(Component, *const Reference, usize, *const c_double) -> Status;
+    /// `fmi2GetInteger`.
+    get_integer = b"fmi2GetInteger": fn(Component, *const Reference, usize, *mut c_int) -> Status;
+    /// `fmi2SetInteger`.
+    set_integer = b"fmi2SetInteger": fn(Component, *const Reference, usize, *const c_int) -> Status;
+    /// `fmi2GetBoolean`.
+    get_boolean = b"fmi2GetBoolean": fn(Component, *const Reference, usize, *mut c_int) -> Status;
+    /// `fmi2SetBoolean`.
+    set_boolean = b"fmi2SetBoolean": fn(Component, *const Reference, usize, *const c_int) -> Status;
+    /// `fmi2GetString`.
+    get_string = b"fmi2GetString": fn(Component, *const Reference, usize, *mut *const c_char) -> Status;
     /// `fmi2SetString`.
     set_string = b"fmi2SetString": fn(Component, *const Reference, usize, *const *const c_char) -> Status;
     /// `fmi2DoStep`.
@@ -102,11 +112,6 @@ const ALSO_REQUIRED: &[&[u8]] = &[
     b"fmi2GetVersion",
     b"fmi2SetDebugLogging",
     b"fmi2Reset",
-    b"fmi2GetInteger",
-    b"fmi2SetInteger",
-    b"fmi2GetBoolean",
-    b"fmi2SetBoolean",
-    b"fmi2GetString",
     b"fmi2GetFMUstate",
     b"fmi2SetFMUstate",
     b"fmi2FreeFMUstate",

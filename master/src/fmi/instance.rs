@@ -1,6 +1,6 @@
 //! An instance of an FMU.
 
-use std::ffi::CString;
+use std::ffi::{CStr, CString};
 use std::sync::Arc;
 
 use super::binding::{self, Component, DISCARD, FATAL, Functions, OK, Status, WARNING};
@@ -127,6 +127,29 @@ impl FmuInstance {
     }
 }
 
+/// Setting and getting of variables of a type.
+macro_rules! exchange {
+    ($($set:ident, $get:ident: $type:ty, $kind:ident, $c_set:ident $set_name:literal, $c_get:ident $get_name:literal;)*) => {$(
+        fn $set(&mut self, references: &[u32], values: &[$type]) -> Result<(), UnitError> {
+            assert_eq!(references.len(), values.len(), "one value for each reference");
+            self.call(
+                // SAFETY: both arrays have the stated length.
+                |f, c| unsafe { (f.$c_set)(c, references.as_ptr(), references.len(), values.as_ptr()) },
+                |this| format!("{} of {}", $set_name, this.names(VariableType::$kind, references)),
+            )
+        }
+
+        fn $get(&mut self, references: &[u32], values: &mut [$type]) -> Result<(), UnitError> {
+            assert_eq!(references.len(), values.len(), "one place for each reference");
+            self.call(
+                // SAFETY: both arrays have the stated length.
+                |f, c| unsafe { (f.$c_get)(c, references.as_ptr(), references.len(), values.as_mut_ptr()) },
+                |this| format!("{} of {}", $get_name, this.names(VariableType::$kind, references)),
+            )
+        }
+    )*};
+}
+
 impl Unit for FmuInstance {
     fn name(&self) -> &str {
         &self.name
@@ -153,26 +176,25 @@ impl Unit for FmuInstance {
         )
     }
 
-    fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
-        assert_eq!(references.len(), values.len(), "one value for each reference");
+    fn get_text(&mut self, reference: u32) -> Result<String, UnitError> {
+        let mut text = std::ptr::null();
         self.call(
-            // SAFETY: both arrays have the stated length.
-            |f, c| unsafe {
-                (f.set_real)(c, references.as_ptr(), references.len(), values.as_ptr())
-            },
-            |this| format!("fmi2SetReal of {}", this.names(VariableType::Real, references)),
-        )
+            // SAFETY: one reference, and room for one pointer.
+            |f, c| unsafe { (f.get_string)(c, &raw const reference, 1, &raw mut text) },
+            |this| format!("fmi2GetString of {}", this.names(VariableType::Text, &[reference])),
+        )?;
+        if text.is_null() {
+            return Ok(String::new());
+        }
+        // SAFETY: the FMU's string stays valid until the next call of the instance (§2.1.7),
+        // and is copied before.
+        Ok(unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned())
     }
 
-    fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError> {
-        assert_eq!(references.len(), values.len(), "one place for each reference");
-        self.call(
-            // SAFETY: both arrays have the stated length.
-            |f, c| unsafe {
-                (f.get_real)(c, references.as_ptr(), references.len(), values.as_mut_ptr())
-            },
-            |this| format!("fmi2GetReal of {}", this.names(VariableType::Real, references)),
-        )
+    exchange! {
+        set_reals, get_reals: f64, Real, set_real "fmi2SetReal", get_real "fmi2GetReal";
+        set_integers, get_integers: i32, Integer, set_integer "fmi2SetInteger", get_integer "fmi2GetInteger";
+        set_booleans, get_booleans: i32, Boolean, set_boolean "fmi2SetBoolean", get_boolean "fmi2GetBoolean";
     }
 
     fn enter_initialization(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {
