@@ -49,12 +49,14 @@ pub struct Track {
     /// Chainage at which each piece begins, m, rising.
     pub(crate) begins: Vec<f64>,
     pub(crate) pieces: Vec<Piece>,
+    /// What holds before the first piece, over the distance from its beginning.
+    pub(crate) before: Piece,
 }
 
 impl Track {
     /// Straight and level without end.
     pub fn straight() -> Self {
-        Self { begins: vec![0.0], pieces: vec![Piece::default()] }
+        Self { begins: vec![0.0], pieces: vec![Piece::default()], before: Piece::default() }
     }
 
     /// What holds at `chainage`; `index` is any number at first and the place of the last lookup
@@ -62,26 +64,13 @@ impl Track {
     #[inline]
     pub fn at(&self, chainage: f64, index: &mut usize) -> TrackPoint {
         if chainage < self.begins[0] {
-            return self.before_the_first(chainage);
+            return self.before.at(chainage - self.begins[0]);
         }
         *index = match self.begins.last() {
             Some(&last) if chainage >= last => self.begins.len() - 1,
             _ => interval(&self.begins, chainage, *index),
         };
         self.pieces[*index].at(chainage - self.begins[*index])
-    }
-
-    /// Extends the values at the beginning of the track backwards.
-    fn before_the_first(&self, chainage: f64) -> TrackPoint {
-        let first = &self.pieces[0];
-        let constant = |coefficients: [f64; 4]| [coefficients[0], 0.0, 0.0, 0.0];
-        let piece = Piece {
-            curvature: constant(first.curvature),
-            cant_angle: constant(first.cant_angle),
-            gradient: constant(first.gradient),
-            ..*first
-        };
-        piece.at(chainage - self.begins[0])
     }
 
     /// Chainages at which curves begin and end, transitions included, m. A curve that goes on
@@ -101,6 +90,17 @@ impl Track {
 }
 
 impl Piece {
+    /// The piece with the values that it has at its beginning, as they hold backwards from there.
+    pub(crate) fn as_at_its_beginning(&self) -> Self {
+        let constant = |coefficients: [f64; 4]| [coefficients[0], 0.0, 0.0, 0.0];
+        Self {
+            curvature: constant(self.curvature),
+            cant_angle: constant(self.cant_angle),
+            gradient: constant(self.gradient),
+            ..*self
+        }
+    }
+
     /// What holds `s` after the beginning of the piece: the integrals of cubic functions.
     #[inline]
     pub(crate) fn at(&self, s: f64) -> TrackPoint {

@@ -42,10 +42,11 @@ impl TrainDynamics {
         pipe::note(&mut state.pipe, commands, state.time);
         state.time += step;
         let mut power = Work::default();
-        for (vehicle, own) in self.vehicles.iter_mut().zip(&mut state.vehicles) {
-            pipe::listen(vehicle, own, &state.pipe, state.time);
-            vehicle.operate(own, &commands[vehicle.group.min(commands.len() - 1)], step);
-            vehicle.act(own, &self.track, &self.wind);
+        let members = self.vehicles.iter().zip(&mut self.members);
+        for ((vehicle, member), own) in members.zip(&mut state.vehicles) {
+            pipe::listen(vehicle, member, own, &state.pipe, state.time);
+            vehicle.operate(member, own, &commands[member.group.min(commands.len() - 1)], step);
+            vehicle.act(member, own, &self.track, &self.wind);
             own.kick(vehicle.inverse_inertia, step / 2.0);
             power.add_power(own);
         }

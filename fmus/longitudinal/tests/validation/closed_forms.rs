@@ -1,7 +1,9 @@
 //! Closed forms of whole trains, and published figures by hand.
 
+use std::sync::Arc;
+
 use crate::support::*;
-use longitudinal::connection::{Connection, ConnectionState};
+use longitudinal::connection::{Connection, ConnectionState, GearPair};
 use longitudinal::driver::Command;
 use longitudinal::{Couplers, TrainDynamics, TrainState, draft_gear};
 use stock::Vehicle;
@@ -127,7 +129,7 @@ fn inverse(function: impl Fn(f64) -> f64, value: f64, greatest: f64) -> f64 {
 
 fn connection(slack: f64) -> Connection {
     let gear = draft_gear::DraftGear::new(&friction_gear()).unwrap();
-    Connection::new(&gear, &gear, slack, 20.0)
+    Connection::new(Arc::new(GearPair::new(&gear, &gear)), slack, 20.0)
 }
 
 /// Moves a connection evenly to a deflection and gives the work done on it.
