@@ -15,4 +15,4 @@ mod file;
 mod track;
 
 pub use file::TrackError;
-pub use track::{Track, TrackPoint};
+pub use track::{Place, Track, TrackPoint};

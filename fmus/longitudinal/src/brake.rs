@@ -161,7 +161,8 @@ impl Brake {
             Some(brake) => state.locomotive_cylinder * brake.shoe_force,
             None => 0.0,
         };
-        match train.max(locomotive).max(member.hand_force) {
+        let greater = |a: f64, b: f64| if a > b { a } else { b };
+        match greater(greater(train, locomotive), member.hand_force) {
             0.0 => 0.0,
             shoes => shoes * self.friction.value(speed, &mut member.friction_index),
         }

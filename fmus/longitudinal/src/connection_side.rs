@@ -153,30 +153,26 @@ impl ConnectionSide {
     /// The piece that holds a deflection behind the slack, searched from the last one.
     #[inline]
     fn piece_at(&self, beyond: f64, index: &mut usize) -> &Piece {
-        let last = self.pieces.len() - 1;
-        let mut i = (*index).min(last);
-        while i > 0 && beyond < self.pieces[i].begin {
-            i -= 1;
+        match self.pieces.get(*index) {
+            Some(piece) if beyond >= piece.begin && beyond < piece.end => piece,
+            _ => {
+                let after = self.pieces.partition_point(|piece| piece.begin <= beyond);
+                *index = after.saturating_sub(1);
+                &self.pieces[*index]
+            }
         }
-        while i < last && beyond >= self.pieces[i].end {
-            i += 1;
-        }
-        *index = i;
-        &self.pieces[i]
     }
 
     /// The piece whose unloading curve is met from a held deflection, searched from the last one.
     #[inline]
     fn piece_held_at(&self, held: f64, index: usize) -> &Piece {
-        let last = self.pieces.len() - 1;
-        let mut i = index.min(last);
-        while i > 0 && held < self.pieces[i].held {
-            i -= 1;
+        match self.pieces.get(index) {
+            Some(piece) if held >= piece.held && held < piece.held_end => piece,
+            _ => {
+                let after = self.pieces.partition_point(|piece| piece.held <= held);
+                &self.pieces[after.saturating_sub(1)]
+            }
         }
-        while i < last && held >= self.pieces[i].held_end {
-            i += 1;
-        }
-        &self.pieces[i]
     }
 }
 

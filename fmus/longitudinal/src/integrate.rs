@@ -57,14 +57,15 @@ impl TrainDynamics {
 
     /// Brings the connections to the vehicles' new places.
     fn move_connections(&mut self, state: &mut TrainState) {
+        let Some((mut front, others)) = state.vehicles.split_first_mut() else { return };
         let connections = self.connections.iter_mut().zip(&mut state.connections);
-        for (k, (connection, own)) in connections.enumerate() {
-            let (front, rear) = (&state.vehicles[k], &state.vehicles[k + 1]);
+        for ((connection, own), rear) in connections.zip(others) {
             let deflection = front.position - rear.position - connection.rest_distance();
             let velocity = front.velocity - rear.velocity;
             state.gear_work += connection.move_to(own, deflection, velocity);
-            state.vehicles[k].forces.coupler_rear = own.force;
-            state.vehicles[k + 1].forces.coupler_front = own.force;
+            front.forces.coupler_rear = own.force;
+            rear.forces.coupler_front = own.force;
+            front = rear;
         }
     }
 }

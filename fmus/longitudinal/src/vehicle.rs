@@ -12,7 +12,7 @@ use crate::lever;
 use crate::member::Member;
 use crate::resistance::Resistance;
 use crate::traction::Traction;
-use crate::vehicle_state::VehicleState;
+use crate::vehicle_state::{Forces, VehicleState};
 use crate::wind::Wind;
 
 /// What does not change in a vehicle; vehicles of a type share it.
@@ -93,7 +93,13 @@ impl Vehicle {
     /// Acceleration that the forces on the vehicle give it, m/s².
     pub fn acceleration(&self, state: &VehicleState) -> f64 {
         let share = state.forces.friction_share(state.velocity);
-        (state.forces.driving() + share * state.forces.resisting()) * self.inverse_inertia
+        self.acceleration_by(&state.forces, share)
+    }
+
+    /// The same with the share of the resisting forces that acts.
+    #[inline]
+    pub(crate) fn acceleration_by(&self, forces: &Forces, friction_share: f64) -> f64 {
+        (forces.driving() + friction_share * forces.resisting()) * self.inverse_inertia
     }
 
     /// Moves drive and brake over a time `step`, s.
@@ -122,17 +128,20 @@ impl Vehicle {
         track: &Track,
         wind: &Wind,
     ) {
-        let place = self.place(state.position, track, &mut member.track_index);
+        let line = self.line(state.position, track, &mut member.track_index);
         let speed = state.velocity.abs();
-        state.elevation = place.elevation;
+        state.elevation = line.elevation;
         state.forces.traction = self.drive_force(state);
-        state.forces.gravity = gravity::force(self.mass, place.gradient);
+        state.forces.gravity = gravity::force(self.mass, line.gradient);
         state.forces.resistance = self.resistance.force(speed);
         state.forces.wind = match wind.speed {
             0.0 => 0.0,
-            _ => self.resistance.wind(state.velocity, wind.against(place.heading)),
+            _ => {
+                let heading = self.heading(state.position, track, &mut member.track_index);
+                self.resistance.wind(state.velocity, wind.against(heading))
+            }
         };
-        state.forces.curve_resistance = self.curve_resistance.force(place.curvature);
+        state.forces.curve_resistance = self.curve_resistance.force(line.curvature);
         state.forces.brake = self.brake.force(member, &state.brake, speed);
     }
 
@@ -145,19 +154,34 @@ impl Vehicle {
         track: &Track,
         mut index: [usize; 2],
     ) -> f64 {
-        let place = self.place(position, track, &mut index);
-        self.resistance.force(speed) + self.curve_resistance.force(place.curvature)
-            - gravity::force(self.mass, place.gradient)
+        let line = self.line(position, track, &mut index);
+        self.resistance.force(speed) + self.curve_resistance.force(line.curvature)
+            - gravity::force(self.mass, line.gradient)
     }
 
-    /// Track at the vehicle's middle, or its mean over the vehicle's length; `index` are the places
+    /// The line at the vehicle's middle, or its mean over the vehicle's length; `index` are the places
     /// of the last lookups.
     #[inline]
-    fn place(&self, position: f64, track: &Track, index: &mut [usize; 2]) -> TrackPoint {
-        let [first, second] = index;
+    fn line(&self, position: f64, track: &Track, index: &mut [usize; 2]) -> Line {
+        if self.along_its_length {
+            return mean_line(position, self.length, track, index);
+        }
+        let place = track.place(position, &mut index[0]);
+        Line {
+            gradient: place.gradient(),
+            elevation: place.elevation(),
+            curvature: place.curvature(),
+        }
+    }
+
+    /// Heading of the track, as [`Self::line`].
+    fn heading(&self, position: f64, track: &Track, index: &mut [usize; 2]) -> f64 {
         match self.along_its_length {
-            false => track.at(position, first),
-            true => mean_place(position, self.length, track, first, second),
+            false => track.place(position, &mut index[0]).heading(),
+            true => {
+                let [front, rear] = ends(position, self.length, track, index);
+                (front.heading_integral - rear.heading_integral) / self.length
+            }
         }
     }
 
@@ -183,22 +207,26 @@ impl Vehicle {
     }
 }
 
-/// The means of gradient, curvature, heading and elevation over a length around a place. A vehicle
-/// across a change of hand counts the curvature that is left of both.
-fn mean_place(
-    position: f64,
-    length: f64,
-    track: &Track,
-    first: &mut usize,
-    second: &mut usize,
-) -> TrackPoint {
-    let front = track.at(position + length / 2.0, first);
-    let rear = track.at(position - length / 2.0, second);
-    TrackPoint {
+/// What the track does to a vehicle.
+struct Line {
+    gradient: f64,
+    elevation: f64,
+    curvature: f64,
+}
+
+/// The means over a length around a place. A vehicle across a change of hand counts the curvature that
+/// is left of both.
+fn mean_line(position: f64, length: f64, track: &Track, index: &mut [usize; 2]) -> Line {
+    let [front, rear] = ends(position, length, track, index);
+    Line {
         gradient: (front.elevation - rear.elevation) / length,
         elevation: (front.elevation_integral - rear.elevation_integral) / length,
         curvature: (front.heading - rear.heading) / length,
-        heading: (front.heading_integral - rear.heading_integral) / length,
-        ..front
     }
+}
+
+/// The track at the front and at the rear of a length around a place.
+fn ends(position: f64, length: f64, track: &Track, index: &mut [usize; 2]) -> [TrackPoint; 2] {
+    let [first, second] = index;
+    [track.at(position + length / 2.0, first), track.at(position - length / 2.0, second)]
 }
