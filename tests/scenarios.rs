@@ -4,8 +4,9 @@ use hotfoot_tests::{hotfoot, root};
 
 #[test]
 fn every_shipped_scenario_starts_and_runs() {
-    let folders = std::fs::read_dir(root().join("scenarios")).unwrap();
-    let scenarios = folders.flatten().map(|entry| entry.path().join("scenario.toml"));
+    let folders = ["scenarios", "scenarios/benchmarks"].map(|folder| root().join(folder));
+    let entries = folders.into_iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
+    let scenarios = entries.flatten().map(|entry| entry.path().join("scenario.toml"));
     let mut count = 0;
     for scenario in scenarios.filter(|file| file.exists()) {
         let folder = tempfile::tempdir().unwrap();

@@ -130,7 +130,8 @@ impl Lockstep {
     /// Hands the wheels' outputs to the rail.
     pub fn pass_wheels(&mut self) {
         if let Some(rail) = &mut self.rail {
-            rail.take(self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice()));
+            let outputs = self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice());
+            rail.take(outputs.zip(self.train.blocks()));
         }
     }
 }

@@ -56,6 +56,10 @@ impl Unit for Mock {
         unreachable!("a mock has no texts")
     }
 
+    fn set_integer(&mut self, _: u32, _: i32) -> Result<(), UnitError> {
+        unreachable!("a mock has no integers")
+    }
+
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
         self.note("set");
         for (&reference, &value) in references.iter().zip(values) {

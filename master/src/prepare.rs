@@ -110,8 +110,21 @@ impl Builder<'_> {
         let outputs =
             connect(&import, &signals.outputs, "output", &BTreeMap::new(), "longitudinal")?;
         connect(&import, &signals.parameters, "parameter", &BTreeMap::new(), "longitudinal")?;
-        let unit = Box::new(FmuInstance::new(&import, "train")?);
+        let mut unit: Box<dyn Unit> = Box::new(FmuInstance::new(&import, "train")?);
+        self.set_train_parameters(unit.as_mut())?;
         Ok(Train { unit, outputs })
+    }
+
+    /// What the scenario says of couplers and wind; an FMU that does not know them is refused.
+    fn set_train_parameters(&self, unit: &mut dyn Unit) -> Result<(), UnitError> {
+        if let Some(couplers) = self.scenario.train.couplers {
+            unit.set_integer_parameter("initial.couplers", couplers as i32)?;
+        }
+        if let Some(wind) = &self.scenario.train.wind {
+            unit.set_real_parameter("wind.speed", wind.speed_m_per_s)?;
+            unit.set_real_parameter("wind.direction", wind.direction_deg.to_radians())?;
+        }
+        Ok(())
     }
 
     fn vehicles(&self) -> Result<Vec<Vehicle>, PrepareError> {

@@ -39,6 +39,12 @@ pub trait Unit: Send {
     /// When the unit refuses.
     fn set_text(&mut self, reference: u32, value: &str) -> Result<(), UnitError>;
 
+    /// Sets an Integer variable.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_integer(&mut self, reference: u32, value: i32) -> Result<(), UnitError>;
+
     /// Sets Real variables by value reference.
     ///
     /// # Errors
@@ -89,6 +95,15 @@ impl dyn Unit + '_ {
     pub fn set_real_parameter(&mut self, name: &str, value: f64) -> Result<(), UnitError> {
         let reference = self.reference(name)?;
         self.set_reals(&[reference], &[value])
+    }
+
+    /// Sets an Integer parameter by its name.
+    ///
+    /// # Errors
+    /// When the unit has no such variable or refuses the value.
+    pub fn set_integer_parameter(&mut self, name: &str, value: i32) -> Result<(), UnitError> {
+        let reference = self.reference(name)?;
+        self.set_integer(reference, value)
     }
 
     /// Sets a String parameter by its name.

@@ -88,6 +88,8 @@ functions! {
     get_real = b"fmi2GetReal": fn(Component, *const Reference, usize, *mut c_double) -> Status;
     /// `fmi2SetReal`.
     set_real = b"fmi2SetReal": fn(Component, *const Reference, usize, *const c_double) -> Status;
+    /// `fmi2SetInteger`.
+    set_integer = b"fmi2SetInteger": fn(Component, *const Reference, usize, *const c_int) -> Status;
     /// `fmi2SetString`.
     set_string = b"fmi2SetString": fn(Component, *const Reference, usize, *const *const c_char) -> Status;
     /// `fmi2DoStep`.
@@ -103,7 +105,6 @@ const ALSO_REQUIRED: &[&[u8]] = &[
     b"fmi2SetDebugLogging",
     b"fmi2Reset",
     b"fmi2GetInteger",
-    b"fmi2SetInteger",
     b"fmi2GetBoolean",
     b"fmi2SetBoolean",
     b"fmi2GetString",

@@ -145,6 +145,17 @@ impl Unit for FmuInstance {
         )
     }
 
+    fn set_integer(&mut self, reference: u32, value: i32) -> Result<(), UnitError> {
+        self.call(
+            // SAFETY: one reference and one number, both alive during the call.
+            |f, c| unsafe { (f.set_integer)(c, &raw const reference, 1, &raw const value) },
+            |this| {
+                let name = this.names(VariableType::Integer, &[reference]);
+                format!("fmi2SetInteger of {name} = {value}")
+            },
+        )
+    }
+
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
         assert_eq!(references.len(), values.len(), "one value for each reference");
         self.call(

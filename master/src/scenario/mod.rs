@@ -9,7 +9,7 @@ mod file;
 mod load;
 
 pub use file::{
-    Driver, Fmus, Heat, Probe, Rail, Record, Scenario, Scheme, Synchronisation, Track, Train,
-    VehicleGroup, VehicleReplacement,
+    Couplers, Driver, Fmus, Heat, Probe, Rail, Record, Scenario, Scheme, Synchronisation, Track,
+    Train, VehicleGroup, VehicleReplacement, Wind,
 };
 pub use load::{ScenarioError, load};
