@@ -130,8 +130,21 @@ impl Builder<'_> {
         };
         let signals = roles::longitudinal_signals(self.scenario.vehicle_count());
         let ports = connect(&import, &signals, &BTreeMap::new(), "longitudinal")?;
-        let unit = self.instance(&import, "train")?;
+        let mut unit = self.instance(&import, "train")?;
+        self.set_train_parameters(unit.as_mut())?;
         Ok(Train { unit, start: ports.parameters, outputs: ports.outputs })
+    }
+
+    /// What the scenario says of couplers and wind; an FMU that does not know them is refused.
+    fn set_train_parameters(&self, unit: &mut dyn Unit) -> Result<(), UnitError> {
+        if let Some(couplers) = self.scenario.train.couplers {
+            unit.set_integer_parameter("initial.couplers", couplers as i32)?;
+        }
+        if let Some(wind) = &self.scenario.train.wind {
+            unit.set_real_parameter("wind.speed", wind.speed_m_per_s)?;
+            unit.set_real_parameter("wind.direction", wind.direction_deg.to_radians())?;
+        }
+        Ok(())
     }
 
     fn vehicles(&self) -> Result<Vec<Vehicle>, PrepareError> {
