@@ -164,6 +164,7 @@ impl WeatherSignals {
 
 impl WheelSignals {
     fn declare(name: String, declaration: &mut Declaration) -> Self {
+        declaration.terminal(name.clone(), "wheel", "A wheel on the rail");
         let mut input = |signal: &str, unit, description: &str| {
             declaration.real(format!("{name}.{signal}"), unit, description).input(0.0)
         };
