@@ -14,7 +14,8 @@ enum {
     WARN_SILENTLY,
     FATAL,
     PENDING,       /* three times, then done */
-    SET_ERROR
+    SET_ERROR,
+    OTHER_VERSION  /* says that it is of FMI 1.0 */
 };
 
 enum { OK, WARNING, DISCARDED, ERROR, FATALLY, IS_PENDING };
@@ -48,7 +49,7 @@ static void tell(Instance *i, int status, const char *category, const char *form
     i->callbacks.logger(i->callbacks.environment, "hostile", status, category, format, value);
 }
 
-EXPORT const char *fmi2GetVersion(void) { return "2.0"; }
+EXPORT const char *fmi2GetVersion(void) { return BEHAVIOUR == OTHER_VERSION ? "1.0" : "2.0"; }
 EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
 EXPORT int fmi2SetDebugLogging(void *c, int on, size_t n, const char *const *categories) {
     (void)c, (void)on, (void)n, (void)categories;
