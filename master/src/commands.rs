@@ -9,7 +9,7 @@ use miette::{IntoDiagnostic, Result, miette};
 
 use crate::pack::{self, Binary};
 use crate::run::{self, Options};
-use crate::{archive, recording, reference, report, scenario, supervise};
+use crate::{archive, expected, recording, reference, report, scenario, supervise};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
@@ -117,6 +117,19 @@ pub fn report(results: &Path) -> Result<()> {
     let (file, _) = report::write(results).into_diagnostic()?;
     println!("{}", file.display());
     Ok(())
+}
+
+/// Says how the figures of a run compare with those expected of its scenario.
+///
+/// # Errors
+/// When a file cannot be read, or a figure differs.
+pub fn expect(results: &Path, expected: &Path) -> Result<()> {
+    let comparisons = expected::compare(results, expected).into_diagnostic()?;
+    comparisons.iter().for_each(|comparison| println!("{comparison}"));
+    match comparisons.iter().filter(|comparison| !comparison.agrees()).count() {
+        0 => Ok(()),
+        count => Err(miette!("{count} of {} figures differ", comparisons.len())),
+    }
 }
 
 /// Packs an FMU.

@@ -22,6 +22,13 @@ enum Command {
         /// Folder that a run has written
         results: PathBuf,
     },
+    /// Compare the figures of a run with those expected of its scenario
+    Expect {
+        /// Folder that a run has written
+        results: PathBuf,
+        /// File of expected figures, such as `expected.toml` beside the scenario
+        expected: PathBuf,
+    },
     /// Check an FMU against the rules of FMI 2.0, for a role in the train, and against the
     /// reference result that it carries
     Check(check::CheckArguments),
@@ -53,6 +60,7 @@ fn main() -> miette::Result<()> {
     match Arguments::parse().command {
         Command::Run(arguments) => commands::run(&arguments),
         Command::Report { results } => commands::report(&results),
+        Command::Expect { results, expected } => commands::expect(&results, &expected),
         Command::Check(arguments) => check::command(&arguments),
         Command::Pack(arguments) => commands::pack(&arguments),
         Command::Interface { fmu, xml } => commands::interface(&fmu, xml),

@@ -8,9 +8,11 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::lockstep::Lockstep;
-use crate::report::RunFacts;
-use crate::scenario::Scenario;
+use crate::prepare_rail::Extent;
+use crate::report::{MainFigure, RailFacts, RunFacts};
+use crate::scenario::{Heat, Scenario};
 use crate::times::StepTimes;
+use crate::traffic::Traffic;
 
 /// The manifest cannot be written.
 #[derive(Debug)]
@@ -34,6 +36,8 @@ pub struct Manifest {
     pub run: RunFacts,
     wall_time_of: Vec<WallTime>,
     fmu: Vec<FmuEntry>,
+    /// The main figures of the report, for programs.
+    pub figure: Vec<MainFigure>,
 }
 
 /// Wall time of a part of all steps.
@@ -60,7 +64,7 @@ impl Manifest {
             train_alone: scenario.train_alone,
             vehicles: scenario.vehicle_count(),
             plotted: scenario.recorded_vehicles(),
-            rail: scenario.heat.as_ref().map_or("", |heat| heat.rail.side()).to_owned(),
+            rails: scenario.heat.as_ref().map(|heat| rail_facts(scenario, heat, lockstep)),
             heat_maps_at_s: scenario.record.heat_maps_at_s.clone(),
             curves_m: curves(&scenario.track.file),
             step_s: scenario.step_s,
@@ -76,6 +80,7 @@ impl Manifest {
             run,
             wall_time_of: vec![],
             fmu: fmus(lockstep),
+            figure: vec![],
         }
     }
 
@@ -89,6 +94,7 @@ impl Manifest {
             ("rail", times.rail),
             ("exchange", times.exchange),
             ("recording", times.recording),
+            ("rails after the run", times.rails_after),
         ];
         self.wall_time_of =
             parts.map(|(part, time)| WallTime { part, seconds: time.as_secs_f64() }).into();
@@ -103,6 +109,19 @@ impl Manifest {
         let text = toml::to_string(self).expect("a manifest is a TOML table");
         std::fs::write(&path, text)
             .map_err(|source| ManifestError { path: path.display().to_string(), source })
+    }
+}
+
+/// What the run knows of the heated rails.
+fn rail_facts(scenario: &Scenario, heat: &Heat, lockstep: &Lockstep) -> RailFacts {
+    let run = (scenario.duration_s / scenario.step_s).round() as u64;
+    RailFacts {
+        sides: lockstep.rails.iter().map(|rail| rail.side_name().to_owned()).collect(),
+        model: heat.model.clone(),
+        length_m: Extent::of(scenario, heat).length,
+        detection_threshold_k: 1e-3 * heat.detection_threshold_mk,
+        trains: heat.trains.count,
+        last_train_end_s: Traffic::of(heat).last_train_end(lockstep.rails_time(run)),
     }
 }
 

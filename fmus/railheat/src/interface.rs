@@ -50,7 +50,7 @@ impl Model for RailHeat {
         values: &mut Values,
         resources: &Path,
         start_time: f64,
-        _log: &mut Log,
+        log: &mut Log,
     ) -> Result<Self, ModelError> {
         let file = open_weather(signals, values)?;
         let weather = weather_at(file.as_ref(), signals, values, start_time)?;
@@ -59,7 +59,7 @@ impl Model for RailHeat {
         let wheels = vec![Wheel::default(); signals.wheels.len()];
         let rail_heat = Self {
             probes: probe_elements(&signals.shape, &model)?,
-            field: begin_field(signals, values, start_time, &model)?,
+            field: begin_field(signals, values, start_time, &model, log)?,
             weather: file,
             wheels,
             model,
@@ -308,6 +308,7 @@ fn begin_field(
     values: &Values,
     start_time: f64,
     model: &Heat,
+    log: &mut Log,
 ) -> Result<Option<FieldFile>, ModelError> {
     let path = &values[signals.parameters.field_file];
     if path.is_empty() {
@@ -323,7 +324,12 @@ fn begin_field(
         let sentence = format!("field_interval = {interval}: must be greater than zero");
         return Err(ModelError::new(sentence));
     }
-    FieldFile::create(Path::new(path), interval, start_time, model)
-        .map(Some)
-        .map_err(ModelError::from_error)
+    match FieldFile::create(Path::new(path), interval, start_time, model) {
+        Ok(file) => Ok(Some(file)),
+        Err(error) if failure == "go_on" => {
+            log.warning(format!("{error}; the run goes on without writing the field"));
+            Ok(None)
+        }
+        Err(error) => Err(ModelError::from_error(error)),
+    }
 }

@@ -168,7 +168,8 @@ impl Import {
         self.origins.rename(message, &self.resources())
     }
 
-    fn resources(&self) -> PathBuf {
+    /// The unpacked folder of the FMU's resources.
+    pub fn resources(&self) -> PathBuf {
         self.folder.path().join("resources")
     }
 

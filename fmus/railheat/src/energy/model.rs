@@ -116,7 +116,7 @@ impl Energy {
             self.pass(wheels, weather, length, done, 1.0);
         }
         for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
-            *position = Some(wheel.position);
+            *position = wheel.place();
         }
         self.stray(wheels)
     }
@@ -154,6 +154,10 @@ impl Energy {
         let Parameters { line, material, wheel: heat, beam, .. } = &self.parameters;
         let time = length * (to - from);
         for (index, wheel) in wheels.iter().enumerate() {
+            if wheel.is_absent() {
+                self.state.wheels[index] = weather.ambient + heat.initial_rise;
+                continue;
+            }
             let temperature = self.state.wheels[index];
             let mut gained = heat.gain(wheel, temperature, weather.ambient, time);
             if wheel.contact.normal_force > 0.0 {
