@@ -15,6 +15,7 @@ enum {
     FATAL,
     PENDING,       /* three times, then done */
     SET_ERROR,
+    TELL_PARAMETERS, /* once, as a warning */
     OTHER_VERSION  /* says that it is of FMI 1.0 */
 };
 
@@ -42,6 +43,7 @@ typedef struct {
     char text[64];
     double time;
     int asked;
+    int told;
     Callbacks callbacks;
 } Instance;
 
@@ -129,6 +131,12 @@ EXPORT int fmi2SetString(void *c, const unsigned *vr, size_t n, const char *cons
 
 static int misbehave(Instance *i, double length) {
     switch (BEHAVIOUR) {
+    case TELL_PARAMETERS:
+        if (i->told) return OK;
+        i->told = 1;
+        i->callbacks.logger(i->callbacks.environment, "hostile", WARNING, "logStatusWarning",
+                            "count %d, worn %d, file %s", i->integers[0], i->booleans[0], i->text);
+        return WARNING;
     case STEP_ERROR:
         tell(i, ERROR, "logStatusError", "the axle box is too hot at %g s", i->time);
         return ERROR;
