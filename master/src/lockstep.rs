@@ -32,6 +32,8 @@ pub struct Vehicle {
     pub start: Port,
     /// Forces of the step, [`vehicle_input::NAMES`].
     pub inputs: Port,
+    /// Inputs that keep a value throughout: reference and value.
+    pub constants: Vec<(u32, f64)>,
     /// Outputs at the last communication point, laid out as [`vehicle_output`] says.
     pub outputs: Port,
     /// Keeps it at its place in the train.

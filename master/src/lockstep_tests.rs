@@ -70,6 +70,7 @@ fn vehicle(place: usize, calls: &Calls) -> Vehicle {
     let limit = f64::INFINITY;
     let gains = Gains { proportional: KP, integral: 0.0, derivative: 0.0, limit };
     Vehicle {
+        constants: vec![],
         unit: Box::new(unit),
         start,
         inputs,

@@ -10,6 +10,7 @@ use controller::{Controller, Gains};
 use crate::fmi::{FmuInstance, Import, ImportError};
 use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::pack::{Binary, PackError, pack};
+use crate::parameters::set_parameter;
 use crate::port::{Port, Signal};
 use crate::resources::{self, Origins};
 use crate::roles::{self, RoleSignals, wheelset_count};
@@ -170,8 +171,11 @@ impl Builder<'_> {
                         import
                     }
                 };
-                let names = replacement.map(|(other, _)| other.names.clone()).unwrap_or_default();
-                vehicles.push(self.vehicle(&import, place, &names)?);
+                vehicles.push(self.vehicle(
+                    &import,
+                    place,
+                    replacement.map(|(other, _)| *other),
+                )?);
             }
         }
         Ok(vehicles)
@@ -199,13 +203,19 @@ impl Builder<'_> {
         &self,
         import: &Arc<Import>,
         place: usize,
-        names: &BTreeMap<String, String>,
+        replacement: Option<&VehicleReplacement>,
     ) -> Result<Vehicle, PrepareError> {
-        let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
-        let ports = connect(import, &signals, names, "vehicle")?;
-        let unit = self.instance(import, &format!("vehicle[{place}]"))?;
+        let names = replacement.map(|other| other.names.clone()).unwrap_or_default();
+        let signals = roles::vehicle_signals(wheelset_count(import.interface(), &names));
+        let ports = connect(import, &signals, &names, "vehicle")?;
+        let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
+        let mut constants = vec![];
+        for (name, value) in replacement.into_iter().flat_map(|other| &other.parameters) {
+            constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
+        }
         Ok(Vehicle {
             unit,
+            constants,
             start: ports.parameters,
             inputs: ports.inputs,
             outputs: ports.outputs,

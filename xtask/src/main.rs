@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
 //! | `test.rs` | the whole test run |
-//! | `python.rs` | the Python environment of the FMPy tests |
+//! | `python.rs` | the Python environment of the FMPy tests, which has libclang too |
 //! | `shell.rs` | running commands |
 
 mod fmus;

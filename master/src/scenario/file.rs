@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::heat::Heat;
+use super::value::Value;
 
 /// What is run: the train on its track, how it is driven, what is computed and recorded.
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
@@ -226,6 +227,10 @@ pub struct VehicleReplacement {
     #[serde(default)]
     #[garde(skip)]
     pub names: BTreeMap<String, String>,
+    /// Its parameters, and inputs that keep a value throughout, by their names in the FMU.
+    #[serde(default)]
+    #[garde(skip)]
+    pub parameters: BTreeMap<String, Value>,
 }
 
 /// What is recorded.
