@@ -9,7 +9,7 @@ use miette::{IntoDiagnostic, Result, miette};
 
 use crate::pack::{self, Binary};
 use crate::run::{self, Options};
-use crate::{archive, expected, reference, report, scenario};
+use crate::{archive, expected, recording, reference, report, scenario, supervise};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
@@ -62,11 +62,34 @@ pub struct ToolArguments {
     arguments: Vec<OsString>,
 }
 
-/// Runs a scenario, tells where the results are, and the main figures.
+/// Runs a scenario in a child process, tells where the results are, and the main figures.
 ///
 /// # Errors
-/// When the scenario is wrong or a unit fails.
+/// When the scenario is wrong, a unit fails or crashes.
 pub fn run(arguments: &RunArguments) -> Result<()> {
+    if supervise::is_child() {
+        return run_here(arguments);
+    }
+    let results =
+        arguments.results.clone().unwrap_or_else(|| run::new_results(&arguments.scenario));
+    let further = match arguments.results {
+        Some(_) => vec![],
+        None => vec!["--results".into(), results.clone().into_os_string()],
+    };
+    supervise::in_child(&further, || {
+        let series = results.join("series");
+        if !series.exists() {
+            return Err(miette!("an FMU has crashed the run before anything was recorded"));
+        }
+        recording::complete(&series).into_diagnostic()?;
+        Err(miette!(
+            "an FMU has crashed the run; the results until then are in {}",
+            results.display()
+        ))
+    })
+}
+
+fn run_here(arguments: &RunArguments) -> Result<()> {
     let options = Options {
         threads: arguments.threads,
         results: arguments.results.clone(),

@@ -16,6 +16,7 @@
 //! | `run.rs`, `stepping.rs`, `finished.rs`, `observe.rs`, `observe_rail.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
 //! | `recording/`, `report/` | series files and the report |
 //! | `expected.rs` | the figures of a run against those expected of its scenario |
+//! | `supervise.rs` | a run in a child process, which an FMU may crash |
 //! | `commands.rs` | the commands of the program |
 
 mod archive;
@@ -48,6 +49,7 @@ pub mod scenario;
 mod si;
 mod start;
 mod stepping;
+mod supervise;
 mod synchronisation;
 mod tape;
 mod times;

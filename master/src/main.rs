@@ -47,6 +47,9 @@ enum Command {
     /// Natural frequencies, damping and shapes of a vehicle on its suspension
     #[command(disable_help_flag = true)]
     Modes(commands::ToolArguments),
+    /// Speed at which a vehicle on straight track becomes unstable
+    #[command(disable_help_flag = true)]
+    CriticalSpeed(commands::ToolArguments),
 }
 
 fn main() -> miette::Result<()> {
@@ -63,5 +66,6 @@ fn main() -> miette::Result<()> {
         Command::Interface { fmu, xml } => commands::interface(&fmu, xml),
         Command::Schema => commands::schema(),
         Command::Modes(arguments) => commands::tool("modes", &arguments),
+        Command::CriticalSpeed(arguments) => commands::tool("critical-speed", &arguments),
     }
 }

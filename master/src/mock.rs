@@ -65,12 +65,24 @@ impl Unit for Mock {
         unreachable!("a mock has no texts")
     }
 
-    fn set_integer(&mut self, _: u32, _: i32) -> Result<(), UnitError> {
-        unreachable!("a mock has no integers")
+    fn get_text(&mut self, _: u32) -> Result<String, UnitError> {
+        unreachable!("a mock has no texts")
     }
 
-    fn set_boolean(&mut self, _: u32, _: bool) -> Result<(), UnitError> {
-        unreachable!("a mock has no booleans")
+    fn set_integers(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
+    }
+
+    fn get_integers(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
+    }
+
+    fn set_booleans(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
+    }
+
+    fn get_booleans(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
     }
 
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {

@@ -13,9 +13,9 @@ use crate::pack::{Binary, PackError, pack};
 use crate::port::{Port, Signal};
 use crate::resources::{self, Origins};
 use crate::roles::{self, RoleSignals, wheelset_count};
-use crate::scenario::Scenario;
+use crate::scenario::{Scenario, VehicleReplacement};
 use crate::times::StepTimes;
-use crate::unit::UnitError;
+use crate::unit::{Unit, UnitError};
 
 /// Why a scenario cannot be set up.
 #[derive(Debug, thiserror::Error)]
@@ -111,6 +111,9 @@ pub fn prepare(scenario: &Scenario, folders: &Folders) -> Result<Lockstep, Prepa
     Ok(Lockstep { clock, scheme: scenario.scheme, train, vehicles, rails, times })
 }
 
+/// FMUs that replace single vehicles, by their place.
+type Replacements<'a> = HashMap<usize, (&'a VehicleReplacement, Arc<Import>)>;
+
 /// Makes units for a scenario.
 pub(crate) struct Builder<'a> {
     pub(crate) scenario: &'a Scenario,
@@ -127,7 +130,7 @@ impl Builder<'_> {
         };
         let signals = roles::longitudinal_signals(self.scenario.vehicle_count());
         let ports = connect(&import, &signals, &BTreeMap::new(), "longitudinal")?;
-        let unit = Box::new(FmuInstance::new(&import, "train")?);
+        let unit = self.instance(&import, "train")?;
         Ok(Train { unit, start: ports.parameters, outputs: ports.outputs })
     }
 
@@ -135,16 +138,16 @@ impl Builder<'_> {
         let mut of_type: HashMap<&str, Arc<Import>> = HashMap::new();
         let mut vehicles = vec![];
         let common = self.scenario.fmus.vehicle.as_deref().map(Import::open).transpose()?;
+        let replaced = self.replacements()?;
         if let Some(import) = &common {
-            check_instances(import, self.scenario.vehicle_count())?;
+            check_instances(import, self.scenario.vehicle_count() - replaced.len())?;
         }
         for group in &self.scenario.train.vehicles {
             for _ in 0..group.count {
                 let place = vehicles.len() + 1;
-                let replacement =
-                    self.scenario.fmus.vehicle_at.iter().find(|other| other.place == place);
+                let replacement = replaced.get(&place);
                 let import = match (replacement, &common, of_type.get(group.kind.as_str())) {
-                    (Some(other), _, _) => Import::open(&other.file)?,
+                    (Some((_, import)), _, _) => Arc::clone(import),
                     (None, Some(import), _) | (None, None, Some(import)) => Arc::clone(import),
                     (None, None, None) => {
                         let import = self.packed("vehicle", &group.kind, |folder| {
@@ -154,11 +157,29 @@ impl Builder<'_> {
                         import
                     }
                 };
-                let names = replacement.map(|other| &other.names).cloned().unwrap_or_default();
+                let names = replacement.map(|(other, _)| other.names.clone()).unwrap_or_default();
                 vehicles.push(self.vehicle(&import, place, &names)?);
             }
         }
         Ok(vehicles)
+    }
+
+    /// The FMUs for single vehicles by place; a file that stands at several is loaded once.
+    fn replacements(&self) -> Result<Replacements<'_>, PrepareError> {
+        let named = &self.scenario.fmus.vehicle_at;
+        let mut of_file: HashMap<&Path, Arc<Import>> = HashMap::new();
+        let mut replacements = HashMap::new();
+        for other in named {
+            let import = match of_file.get(other.file.as_path()) {
+                Some(import) => Arc::clone(import),
+                None => Import::open(&other.file)?,
+            };
+            let count = named.iter().filter(|same| same.file == other.file).count();
+            check_instances(&import, count)?;
+            of_file.insert(&other.file, Arc::clone(&import));
+            replacements.insert(other.place, (other, import));
+        }
+        Ok(replacements)
     }
 
     fn vehicle(
@@ -169,7 +190,7 @@ impl Builder<'_> {
     ) -> Result<Vehicle, PrepareError> {
         let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
         let ports = connect(import, &signals, names, "vehicle")?;
-        let unit = Box::new(FmuInstance::new(import, &format!("vehicle[{place}]"))?);
+        let unit = self.instance(import, &format!("vehicle[{place}]"))?;
         Ok(Vehicle {
             unit,
             start: ports.parameters,
@@ -178,6 +199,18 @@ impl Builder<'_> {
             controller: Controller::new(Gains::from(&self.scenario.synchronisation)),
             controller_force: 0.0,
         })
+    }
+
+    pub(crate) fn instance(
+        &self,
+        import: &Arc<Import>,
+        name: &str,
+    ) -> Result<Box<dyn Unit>, PrepareError> {
+        let instance = FmuInstance::new(import, name)?;
+        Ok(Box::new(match self.scenario.fmus.retry_discarded_steps {
+            true => instance.retrying(),
+            false => instance,
+        }))
     }
 
     /// Packs one of Hotfoot's own FMUs with the resources that `write` makes, and imports it.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::fmi::{FmuInstance, Import};
+use crate::fmi::Import;
 use crate::interface::{Variable, VariableType};
 use crate::lockstep::Vehicle;
 use crate::prepare::{Builder, PrepareError, check_instances, connect};
@@ -51,7 +51,7 @@ impl Builder<'_> {
             [_] => "rail".to_owned(),
             _ => format!("rail[{}]", SIDES[side]),
         };
-        let mut unit: Box<dyn Unit> = Box::new(FmuInstance::new(import, &name)?);
+        let mut unit = self.instance(import, &name)?;
         self.set_rail_parameters(heat, side, unit.as_mut())?;
         let mut constants = vec![];
         for (name, value) in &heat.parameters {
@@ -142,8 +142,12 @@ fn set_parameter(
     }
     match (kind, value, value.number()) {
         (VariableType::Real, _, Some(number)) => unit.set_reals(&[reference], &[number])?,
-        (VariableType::Integer, Value::Integer(value), _) => unit.set_integer(reference, *value)?,
-        (VariableType::Boolean, Value::Boolean(value), _) => unit.set_boolean(reference, *value)?,
+        (VariableType::Integer, Value::Integer(value), _) => {
+            unit.set_integers(&[reference], &[*value])?;
+        }
+        (VariableType::Boolean, Value::Boolean(value), _) => {
+            unit.set_booleans(&[reference], &[i32::from(*value)])?;
+        }
         (VariableType::Text, Value::Text(value), _) => unit.set_text(reference, value)?,
         (VariableType::Text, Value::File(original), _) => {
             unit.set_text(reference, &path_of_copy(import, name, original))?;

@@ -107,7 +107,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     let pool = parallel::pool(threads).map_err(|source| RunError::Threads { threads, source })?;
     let results = match &options.results {
         Some(folder) => folder.clone(),
-        None => new_folder(&scenario_name(&file)),
+        None => new_results(&file),
     };
     let folders = Folders { fmus: options.fmus.clone(), results: absolute(&results)? };
 
@@ -208,6 +208,11 @@ fn scenario_name(file: &Path) -> String {
         ("scenario", Some(folder)) => folder.to_string_lossy().into_owned(),
         _ => stem,
     }
+}
+
+/// The folder for the results of a scenario whose user names none.
+pub fn new_results(scenario: &Path) -> PathBuf {
+    new_folder(&scenario_name(&scenario::file_of(scenario)))
 }
 
 /// `results/<name>`, or with a number behind it if that is there: no run overwrites another.

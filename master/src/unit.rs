@@ -45,17 +45,35 @@ pub trait Unit: Send {
     /// When the unit refuses.
     fn set_text(&mut self, reference: u32, value: &str) -> Result<(), UnitError>;
 
-    /// Sets an Integer variable.
+    /// Gets a String variable.
     ///
     /// # Errors
     /// When the unit refuses.
-    fn set_integer(&mut self, reference: u32, value: i32) -> Result<(), UnitError>;
+    fn get_text(&mut self, reference: u32) -> Result<String, UnitError>;
 
-    /// Sets a Boolean variable.
+    /// Sets Integer variables by value reference.
     ///
     /// # Errors
     /// When the unit refuses.
-    fn set_boolean(&mut self, reference: u32, value: bool) -> Result<(), UnitError>;
+    fn set_integers(&mut self, references: &[u32], values: &[i32]) -> Result<(), UnitError>;
+
+    /// Gets Integer variables by value reference into `values`.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_integers(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), UnitError>;
+
+    /// Sets Boolean variables, as 0 or 1, by value reference.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_booleans(&mut self, references: &[u32], values: &[i32]) -> Result<(), UnitError>;
+
+    /// Gets Boolean variables, as 0 or 1, by value reference into `values`.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_booleans(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), UnitError>;
 
     /// Sets Real variables by value reference.
     ///

@@ -7,8 +7,10 @@
 //! | file | command |
 //! |---|---|
 //! | `modes.rs` | `hotfoot modes`: natural frequencies, damping and shapes of a vehicle |
+//! | `critical_speed.rs` | `hotfoot critical-speed`: the speed at which it becomes unstable |
 //! | `vehicle_argument.rs` | the vehicle that a command is about |
 
+pub mod critical_speed;
 pub mod modes;
 mod vehicle_argument;
 

@@ -1,7 +1,7 @@
 //! The program `hotfoot-tools`, which `hotfoot` starts for its engineering commands.
 
 use clap::{Parser, Subcommand};
-use tools::modes;
+use tools::{critical_speed, modes};
 
 /// Engineering commands of Hotfoot that ask a model directly.
 #[derive(Parser)]
@@ -15,6 +15,8 @@ struct Arguments {
 enum Command {
     /// Natural frequencies, damping and shapes of a vehicle on its suspension
     Modes(modes::ModesArguments),
+    /// Speed at which a vehicle on straight track becomes unstable
+    CriticalSpeed(critical_speed::CriticalSpeedArguments),
 }
 
 fn main() -> miette::Result<()> {
@@ -24,5 +26,6 @@ fn main() -> miette::Result<()> {
     }))?;
     match Arguments::parse().command {
         Command::Modes(arguments) => modes::modes(&arguments),
+        Command::CriticalSpeed(arguments) => critical_speed::critical_speed(&arguments),
     }
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use clap::Args;
 use miette::Result;
-use vehicle::linear::{Mode, System};
+use vehicle::linear::{Mode, Surfaces, System};
 use vehicle::structure::Structure;
 
 use crate::VehicleArgument;
@@ -20,6 +20,9 @@ const LEAST_SHARE: f64 = 0.05;
 pub struct ModesArguments {
     #[command(flatten)]
     vehicle: VehicleArgument,
+    /// Dry friction sticks; otherwise surfaces slide without friction
+    #[arg(long)]
+    stick: bool,
     /// Print comma-separated values with the whole shapes
     #[arg(long)]
     csv: bool,
@@ -31,7 +34,9 @@ pub struct ModesArguments {
 /// When the vehicle cannot be read.
 pub fn modes(arguments: &ModesArguments) -> Result<()> {
     let structure = arguments.vehicle.structure()?;
-    let modes = System::new(&structure).with_wheelsets_held(&structure).modes().oscillating;
+    let surfaces = if arguments.stick { Surfaces::Stick } else { Surfaces::Slide };
+    let system = System::new(&structure, surfaces).with_wheelsets_held(&structure);
+    let modes = system.modes().oscillating;
     let print = if arguments.csv { csv } else { table };
     print!("{}", print(&structure, &modes));
     Ok(())

@@ -3,6 +3,8 @@
 use fmu::{Declaration, Real, Text, Values, unit};
 
 use crate::inputs::Inputs;
+use crate::patch_signals::PatchSignals;
+use crate::wheel::PATCHES;
 
 /// Handles of all variables.
 #[derive(Debug)]
@@ -52,6 +54,8 @@ pub(crate) struct WheelSignals {
     pub(crate) a: Real,
     pub(crate) b: Real,
     pub(crate) rail_lateral: Real,
+    pub(crate) standing: Real,
+    pub(crate) patches: [PatchSignals; PATCHES],
 }
 
 /// Handles of the attitude of a body.
@@ -267,6 +271,14 @@ impl WheelSignals {
                 unit::METRE,
                 "Contact on the rail head from its top, negative towards the gauge side",
             ),
+            standing: output(
+                "contact.state",
+                unit::ONE,
+                "0: on its rail, 1: lifted off it, 2: climbed over it or fallen off it",
+            ),
+            patches: std::array::from_fn(|i| {
+                PatchSignals::declare(d, &format!("{wheelset}.{side}"), i + 1)
+            }),
         }
     }
 }

@@ -9,6 +9,7 @@ use super::{Severity, check, rules};
 use crate::fmi::Import;
 use crate::reference;
 use crate::roles::{self, Role};
+use crate::supervise;
 
 /// Arguments of `hotfoot check`.
 #[derive(Args)]
@@ -40,6 +41,15 @@ pub fn command(arguments: &CheckArguments) -> Result<()> {
         return Ok(());
     }
     let Some(fmu) = &arguments.fmu else { return Ok(()) };
+    match supervise::is_child() {
+        true => check_here(fmu, arguments),
+        false => {
+            supervise::in_child(&[], || Err(miette!("{} has crashed the check", fmu.display())))
+        }
+    }
+}
+
+fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {
     let mut problems = broken_rules(fmu);
     if problems.is_empty() {
         println!("{} keeps the rules of FMI 2.0", fmu.display());

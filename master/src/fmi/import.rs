@@ -3,6 +3,7 @@
 use std::ffi::{CStr, c_char};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
@@ -95,6 +96,8 @@ pub struct Import {
     folder: tempfile::TempDir,
     /// What the resources are copies of.
     origins: Origins,
+    /// Whether an instance has returned `fmi2Fatal`, after which no function may be called.
+    lost: AtomicBool,
 }
 
 impl Import {
@@ -123,7 +126,8 @@ impl Import {
         let functions = Functions::load(&folder.path().join(&binary)).map_err(|source| {
             ImportError::Binary { file: file.clone(), binary: binary.display().to_string(), source }
         })?;
-        Ok(Arc::new(Self { file, interface, functions, folder, origins }))
+        let lost = AtomicBool::new(false);
+        Ok(Arc::new(Self { file, interface, functions, folder, origins, lost }))
     }
 
     /// What the model description says.
@@ -134,6 +138,16 @@ impl Import {
     /// The FMU's file.
     pub fn file(&self) -> &str {
         &self.file
+    }
+
+    /// Notes that an instance has returned `fmi2Fatal`.
+    pub(super) fn lose(&self) {
+        self.lost.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether an instance has returned `fmi2Fatal`.
+    pub(super) fn is_lost(&self) -> bool {
+        self.lost.load(Ordering::Relaxed)
     }
 
     /// What `fmi2GetVersion` and `fmi2GetTypesPlatform` answer.

@@ -175,6 +175,10 @@ pub struct Fmus {
     /// For single vehicles.
     #[garde(dive)]
     pub vehicle_at: Vec<VehicleReplacement>,
+    /// Whether a step that an FMU discards is tried again in up to 16 parts, from the state before
+    /// it; costs a saved state of every FMU in each step.
+    #[garde(skip)]
+    pub retry_discarded_steps: bool,
 }
 
 /// An FMU for one vehicle.

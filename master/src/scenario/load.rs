@@ -51,13 +51,18 @@ pub enum ScenarioError {
     },
 }
 
+/// The file of the scenario at `path`, which may be its folder.
+pub fn file_of(path: &Path) -> PathBuf {
+    if path.is_dir() { path.join("scenario.toml") } else { path.to_owned() }
+}
+
 /// Reads the scenario at `path` (the file, or the folder with `scenario.toml`), checks it, and
 /// makes the paths in it absolute. Gives the scenario, its file and its text.
 ///
 /// # Errors
 /// When the file cannot be read or something in it is wrong.
 pub fn load(path: &Path) -> Result<(Scenario, PathBuf, String), ScenarioError> {
-    let file = if path.is_dir() { path.join("scenario.toml") } else { path.to_owned() };
+    let file = file_of(path);
     let name = file.display().to_string();
     let text = std::fs::read_to_string(&file)
         .map_err(|source| ScenarioError::Read { file: name.clone(), source })?;

@@ -17,5 +17,5 @@ pub use file::{
     VehicleReplacement,
 };
 pub use heat::{FieldFailure, Heat, Probe, Rail, Trains};
-pub use load::{ScenarioError, load};
+pub use load::{ScenarioError, file_of, load};
 pub use value::Value;

@@ -295,7 +295,8 @@ fn analytic_lumped_cooling() {
     let base = parameters(outline("AS60"), Resolution::Plane, 0.012);
     let start = Start::Uniform(350.0);
     let exchange = Exchange { emissivity: 0.75, ..INSULATED };
-    let mut model = energy(Parameters { exchange, start, ..base.clone() }, &[1], &cold);
+    let warm = base.clone();
+    let mut model = energy(Parameters { exchange, start: start.clone(), ..warm }, &[1], &cold);
     let sigma = 5.670_374_419e-8;
     let time =
         capacity / (3.0 * 0.75 * sigma * perimeter) * (300.0_f64.powi(-3) - 350.0_f64.powi(-3));

@@ -65,11 +65,11 @@ impl System {
         Modes { oscillating, monotonic: monotonic.map(|value| value.re).collect() }
     }
 
-    /// Largest real part of an oscillating mode's eigenvalue, with its frequency in Hz: the system
-    /// is stable if it is negative.
-    pub fn least_stable(&self) -> Option<Complex<f64>> {
+    /// The eigenvalue of the mode that dies away most slowly, or grows fastest, of those that
+    /// oscillate with more than `lowest` rad/s.
+    pub(super) fn least_stable(&self, lowest: f64) -> Option<Complex<f64>> {
         let eigenvalues = self.first_order().complex_eigenvalues();
-        let oscillating = eigenvalues.iter().filter(|value| value.im > FREE);
+        let oscillating = eigenvalues.iter().filter(|value| value.im > lowest);
         oscillating.copied().max_by(|a, b| a.re.total_cmp(&b.re))
     }
 

@@ -10,6 +10,15 @@ use crate::suspension::ends::Ends;
 /// Coordinates of a body: x, y, z, roll, pitch, yaw.
 pub(super) const COORDINATES: usize = 6;
 
+/// What dry friction does in small motions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Surfaces {
+    /// They slide as if there were no friction.
+    Slide,
+    /// They stick and are elastic.
+    Stick,
+}
+
 /// A vehicle linearised at rest.
 #[derive(Clone, Debug)]
 pub struct System {
@@ -42,7 +51,18 @@ fn jacobian(arm: &Vector3<f64>) -> Matrix3x6<f64> {
 
 impl System {
     /// All bodies on the suspension, wheelsets included; nothing holds these.
-    pub fn new(structure: &Structure) -> Self {
+    pub fn new(structure: &Structure, surfaces: Surfaces) -> Self {
+        let mut system = Self::of_load_bearing_elements(structure);
+        system.add_dampers(structure);
+        system.add_preloaded_elements(structure);
+        if surfaces == Surfaces::Stick {
+            system.add_grips(structure);
+        }
+        system
+    }
+
+    /// The elements that share the weight as their stiffness says.
+    pub(crate) fn of_load_bearing_elements(structure: &Structure) -> Self {
         let size = COORDINATES * structure.bodies.len();
         let of = |body: &RigidBody| {
             let m = body.mass;
@@ -55,21 +75,7 @@ impl System {
             damping: DMatrix::zeros(size, size),
             series: vec![],
         };
-        for spring in &structure.suspension.springs {
-            add(&mut system.stiffness, &spring.ends, &spring.stiffness);
-            add(&mut system.damping, &spring.ends, &spring.damping);
-        }
-        for damper in &structure.suspension.dampers {
-            let axis = Vector3::ith(damper.axis, 1.0);
-            match damper.series_stiffness.is_finite() {
-                true => system.series.push(Series {
-                    row: row(size, &damper.ends, &axis),
-                    damping: damper.damping,
-                    stiffness: damper.series_stiffness,
-                }),
-                false => add(&mut system.damping, &damper.ends, &(damper.damping * axis)),
-            }
-        }
+        system.add_springs(structure);
         system
     }
 
@@ -87,6 +93,129 @@ impl System {
         self
     }
 
+    fn add_springs(&mut self, structure: &Structure) {
+        let suspension = &structure.suspension;
+        for spring in &suspension.springs {
+            self.add(&spring.ends, &spring.stiffness, &spring.damping);
+        }
+        for spring in &suspension.rotational_springs {
+            self.add_rotation(&spring.bodies, &spring.stiffness, &spring.damping);
+        }
+        for rod in &suspension.rods {
+            let row = self.row(&rod.ends, &rod.line.normalize());
+            self.stiffness += rod.stiffness * &row * row.transpose();
+            self.damping += rod.damping * &row * row.transpose();
+        }
+        for plate in &suspension.centre_plates {
+            self.add(&plate.ends, &plate.stiffness, &plate.damping);
+            // Four springs on the rim: a quarter of the stiffness each, two at R from either axis.
+            let square = 0.5 * plate.radius * plate.radius;
+            let tilting = |constant: f64| Vector3::new(square * constant, square * constant, 0.0);
+            let (stiffness, damping) = (tilting(plate.stiffness.z), tilting(plate.damping.z));
+            self.add_rotation(&plate.ends.bodies, &stiffness, &damping);
+        }
+    }
+
+    fn add_dampers(&mut self, structure: &Structure) {
+        for damper in &structure.suspension.dampers {
+            let axis = Vector3::ith(damper.axis, 1.0);
+            match damper.series_stiffness.is_finite() {
+                true => self.series.push(Series {
+                    row: self.row(&damper.ends, &axis),
+                    damping: damper.damping,
+                    stiffness: damper.series_stiffness,
+                }),
+                false => self.add(&damper.ends, &Vector3::zeros(), &(damper.damping * axis)),
+            }
+        }
+    }
+
+    /// Elements whose force at rest is given.
+    fn add_preloaded_elements(&mut self, structure: &Structure) {
+        let (suspension, zero) = (&structure.suspension, Vector3::zeros());
+        for spring in &suspension.tabulated_springs {
+            let axis = Vector3::ith(spring.axis, 1.0);
+            let stiffness = spring.static_stiffness() * axis;
+            self.add(&spring.ends, &stiffness, &(spring.damping * axis));
+        }
+        for wedge in &suspension.wedges {
+            self.add(&wedge.ends, &Vector3::new(0.0, 0.0, wedge.spring_stiffness), &zero);
+        }
+        for bearer in &suspension.side_bearers {
+            self.add(&bearer.ends, &Vector3::new(0.0, 0.0, bearer.stiffness), &zero);
+        }
+    }
+
+    /// Dry friction that does not slide.
+    fn add_grips(&mut self, structure: &Structure) {
+        let (suspension, zero) = (&structure.suspension, Vector3::zeros());
+        for friction in &suspension.frictions {
+            let stiffness = friction.grip.stiffness * Vector3::ith(friction.axis, 1.0);
+            self.add(&friction.ends, &stiffness, &zero);
+        }
+        for wedge in &suspension.wedges {
+            let k = wedge.grip.stiffness;
+            self.add(&wedge.ends, &Vector3::new(0.0, k, k), &zero);
+        }
+        for plate in &suspension.centre_plates {
+            let stiffness = Vector3::new(0.0, 0.0, plate.grip.stiffness);
+            self.add_rotation(&plate.ends.bodies, &stiffness, &zero);
+        }
+        for bearer in &suspension.side_bearers {
+            let k = bearer.grip.stiffness;
+            self.add(&bearer.ends, &Vector3::new(k, k, 0.0), &zero);
+        }
+    }
+
+    /// An element whose force in its three directions is the constants times its stretch and rate.
+    fn add(&mut self, ends: &Ends, stiffness: &Vector3<f64>, damping: &Vector3<f64>) {
+        let jacobians = ends.arms.each_ref().map(jacobian);
+        self.add_between(&ends.bodies, &jacobians, stiffness, damping);
+    }
+
+    /// The same for the rotations of two bodies.
+    fn add_rotation(
+        &mut self,
+        bodies: &[usize; 2],
+        stiffness: &Vector3<f64>,
+        damping: &Vector3<f64>,
+    ) {
+        let mut rotation = Matrix3x6::zeros();
+        rotation.fixed_view_mut::<3, 3>(0, 3).fill_with_identity();
+        self.add_between(bodies, &[rotation; 2], stiffness, damping);
+    }
+
+    fn add_between(
+        &mut self,
+        bodies: &[usize; 2],
+        jacobians: &[Matrix3x6<f64>; 2],
+        stiffness: &Vector3<f64>,
+        damping: &Vector3<f64>,
+    ) {
+        let pairs = [(&mut self.stiffness, stiffness), (&mut self.damping, damping)];
+        for (matrix, constants) in pairs {
+            let diagonal = nalgebra::Matrix3::from_diagonal(constants);
+            for (i, side) in [-1.0, 1.0].into_iter().enumerate() {
+                for (j, other) in [-1.0, 1.0].into_iter().enumerate() {
+                    let block = side * other * jacobians[i].transpose() * diagonal * jacobians[j];
+                    let place = (COORDINATES * bodies[i], COORDINATES * bodies[j]);
+                    let mut view = matrix.view_mut(place, (COORDINATES, COORDINATES));
+                    view += block;
+                }
+            }
+        }
+    }
+
+    /// Derivative of an element's length along `axis` by all coordinates.
+    fn row(&self, ends: &Ends, axis: &Vector3<f64>) -> DVector<f64> {
+        let mut row = DVector::zeros(self.inertia.len());
+        for (end, side) in [-1.0, 1.0].into_iter().enumerate() {
+            let mut view = row.rows_mut(COORDINATES * ends.bodies[end], COORDINATES);
+            view += side * jacobian(&ends.arms[end]).transpose() * axis;
+        }
+        row
+    }
+
     /// A matrix in coordinates of unit inertia, M^-1/2 A M^-1/2.
     pub(super) fn scaled(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
         let inertia = &self.inertia;
@@ -94,29 +223,4 @@ impl System {
             matrix[(i, j)] / (inertia[i] * inertia[j]).sqrt()
         })
     }
-}
-
-/// Adds a matrix of an element whose force in its three directions is the `constants` times its
-/// stretch or rate.
-fn add(matrix: &mut DMatrix<f64>, ends: &Ends, constants: &Vector3<f64>) {
-    let diagonal = nalgebra::Matrix3::from_diagonal(constants);
-    for (i, side) in [-1.0, 1.0].into_iter().enumerate() {
-        for (j, other) in [-1.0, 1.0].into_iter().enumerate() {
-            let rows = jacobian(&ends.arms[i]).transpose();
-            let block = side * other * rows * diagonal * jacobian(&ends.arms[j]);
-            let place = (COORDINATES * ends.bodies[i], COORDINATES * ends.bodies[j]);
-            let mut view = matrix.view_mut(place, (COORDINATES, COORDINATES));
-            view += block;
-        }
-    }
-}
-
-/// Derivative of an element's length along `axis` by all coordinates.
-fn row(size: usize, ends: &Ends, axis: &Vector3<f64>) -> DVector<f64> {
-    let mut row = DVector::zeros(size);
-    for (end, side) in [-1.0, 1.0].into_iter().enumerate() {
-        let mut view = row.rows_mut(COORDINATES * ends.bodies[end], COORDINATES);
-        view += side * jacobian(&ends.arms[end]).transpose() * axis;
-    }
-    row
 }
