@@ -9,12 +9,13 @@ use miette::{IntoDiagnostic, Result, miette};
 
 use crate::pack::{self, Binary};
 use crate::run::{self, Options};
+use crate::ssp::{self, SystemOptions};
 use crate::{archive, expected, recording, reference, report, scenario, supervise};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
 pub struct RunArguments {
-    /// Scenario: its folder or file
+    /// Scenario: its folder or file; or an SSP package of any FMUs
     scenario: PathBuf,
     /// Threads for the vehicles; left out: all cores
     #[arg(long)]
@@ -28,9 +29,28 @@ pub struct RunArguments {
     /// Simulated time in place of the scenario's, s
     #[arg(long)]
     duration: Option<f64>,
+    /// Of an SSP package: step of the exchange in place of the package's, s
+    #[arg(long)]
+    step: Option<f64>,
+    /// Of an SSP package: time between two records, s; left out: 0.1
+    #[arg(long)]
+    interval: Option<f64>,
     /// Show no progress
     #[arg(long)]
     quiet: bool,
+}
+
+/// Arguments of `hotfoot export-ssp`.
+#[derive(Args)]
+pub struct ExportArguments {
+    /// Scenario: its folder or file
+    scenario: PathBuf,
+    /// Package to write; left out: named as the scenario's folder, in the current folder
+    #[arg(long, short)]
+    output: Option<PathBuf>,
+    /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
+    #[arg(long)]
+    fmus: Option<PathBuf>,
 }
 
 /// Arguments of `hotfoot pack`.
@@ -90,6 +110,9 @@ pub fn run(arguments: &RunArguments) -> Result<()> {
 }
 
 fn run_here(arguments: &RunArguments) -> Result<()> {
+    if arguments.scenario.extension().is_some_and(|extension| extension == "ssp") {
+        return run_system(arguments);
+    }
     let options = Options {
         threads: arguments.threads,
         results: arguments.results.clone(),
@@ -99,6 +122,40 @@ fn run_here(arguments: &RunArguments) -> Result<()> {
     };
     let finished = run::run(&arguments.scenario, &options)?;
     println!("{finished}");
+    Ok(())
+}
+
+fn run_system(arguments: &RunArguments) -> Result<()> {
+    let options = SystemOptions {
+        threads: arguments.threads,
+        results: arguments.results.clone(),
+        duration: arguments.duration,
+        step: arguments.step,
+        interval: arguments.interval,
+        quiet: arguments.quiet,
+    };
+    println!("{}", ssp::run(&arguments.scenario, &options)?);
+    Ok(())
+}
+
+/// Writes a scenario's train as an SSP package, and tells what is in it.
+///
+/// # Errors
+/// When the scenario is wrong, a unit fails, or the package cannot be written.
+pub fn export_ssp(arguments: &ExportArguments) -> Result<()> {
+    let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
+    let name = || run::scenario_name(&arguments.scenario);
+    let target = arguments.output.clone().unwrap_or_else(|| format!("{}.ssp", name()).into());
+    let exported = ssp::export(&arguments.scenario, &fmus, &target)?;
+    println!(
+        "{}: {} components, {} connections",
+        target.display(),
+        exported.components,
+        exported.connections
+    );
+    for difference in exported.differences {
+        println!("note: {difference}");
+    }
     Ok(())
 }
 

@@ -34,6 +34,8 @@ pub struct Variable {
     pub unit: Option<String>,
     /// What that unit is in SI base units, where the model description traces it to them.
     pub si: Option<SiUnit>,
+    /// Start value as it is written, where one is stated.
+    pub start: Option<String>,
     /// Description, empty where none is stated.
     pub description: String,
 }
@@ -54,6 +56,7 @@ pub struct Interface {
     /// Whether steps may differ in length.
     pub variable_step: bool,
     variables: HashMap<String, Variable>,
+    units: HashMap<String, SiUnit>,
 }
 
 /// Why a model description cannot be used.
@@ -91,6 +94,7 @@ impl Interface {
             can_get_and_set_state: slave.can_get_and_set_state,
             variable_step: slave.variable_step,
             variables: variables.filter_map(|scalar| variable(scalar, &units)).collect(),
+            units: units.units,
         })
     }
 
@@ -103,6 +107,11 @@ impl Interface {
     /// The variable of that name.
     pub fn variable(&self, name: &str) -> Option<&Variable> {
         self.variables.get(name)
+    }
+
+    /// What a unit of measurement is in SI base units, if the model description says so.
+    pub fn unit(&self, name: &str) -> Option<SiUnit> {
+        self.units.get(name).copied()
     }
 
     /// All variables in the order of causality and value reference.
@@ -172,18 +181,15 @@ impl Units {
 }
 
 fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Variable)> {
-    let mut si = None;
-    let (kind, unit) = if let Some(real) = scalar.real {
-        let (unit, of_unit) = units.of_real(real);
-        si = of_unit;
-        (VariableType::Real, unit)
-    } else if scalar.integer.is_some() || scalar.enumeration.is_some() {
-        (VariableType::Integer, None)
-    } else if scalar.boolean.is_some() {
-        (VariableType::Boolean, None)
+    let ((unit, si), kind, start) = if let Some(mut real) = scalar.real {
+        let start = real.start.take();
+        (units.of_real(real), VariableType::Real, start)
+    } else if let Some(integer) = scalar.integer.or(scalar.enumeration) {
+        ((None, None), VariableType::Integer, integer.start)
+    } else if let Some(boolean) = scalar.boolean {
+        ((None, None), VariableType::Boolean, boolean.start)
     } else {
-        scalar.text.as_ref()?;
-        (VariableType::Text, None)
+        ((None, None), VariableType::Text, scalar.text?.start)
     };
     let variable = Variable {
         name: scalar.name.clone(),
@@ -192,6 +198,7 @@ fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Varia
         causality: scalar.causality,
         unit,
         si,
+        start,
         description: scalar.description,
     };
     Some((scalar.name, variable))
@@ -319,13 +326,13 @@ mod xml {
         #[serde(rename = "Real")]
         pub real: Option<Real>,
         #[serde(rename = "Integer")]
-        pub integer: Option<Empty>,
+        pub integer: Option<Other>,
         #[serde(rename = "Boolean")]
-        pub boolean: Option<Empty>,
+        pub boolean: Option<Other>,
         #[serde(rename = "String")]
-        pub text: Option<Empty>,
+        pub text: Option<Other>,
         #[serde(rename = "Enumeration")]
-        pub enumeration: Option<Empty>,
+        pub enumeration: Option<Other>,
     }
 
     #[derive(Deserialize)]
@@ -336,10 +343,16 @@ mod xml {
         pub unit: Option<String>,
         #[serde(rename = "@relativeQuantity", default)]
         pub relative: bool,
+        #[serde(rename = "@start")]
+        pub start: Option<String>,
     }
 
+    /// A variable of another type than Real.
     #[derive(Deserialize)]
-    pub struct Empty {}
+    pub struct Other {
+        #[serde(rename = "@start")]
+        pub start: Option<String>,
+    }
 
     fn local() -> String {
         "local".to_owned()

@@ -17,6 +17,7 @@
 //! | `recording/`, `report/` | series files and the report |
 //! | `expected.rs` | the figures of a run against those expected of its scenario |
 //! | `supervise.rs` | a run in a child process, which an FMU may crash |
+//! | `ssp/` | systems of FMUs in SSP packages: export of a train, and runs of any system |
 //! | `commands.rs` | the commands of the program |
 
 mod archive;
@@ -47,6 +48,7 @@ pub mod roles;
 mod run;
 pub mod scenario;
 mod si;
+pub mod ssp;
 mod start;
 mod stepping;
 mod supervise;

@@ -15,8 +15,10 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Run a scenario and write its results and report
+    /// Run a scenario and write its results and report, or run an SSP package
     Run(commands::RunArguments),
+    /// Write a scenario's train as an SSP package for other tools
+    ExportSsp(commands::ExportArguments),
     /// Make the report of a results folder again
     Report {
         /// Folder that a run has written
@@ -59,6 +61,7 @@ fn main() -> miette::Result<()> {
     }))?;
     match Arguments::parse().command {
         Command::Run(arguments) => commands::run(&arguments),
+        Command::ExportSsp(arguments) => commands::export_ssp(&arguments),
         Command::Report { results } => commands::report(&results),
         Command::Expect { results, expected } => commands::expect(&results, &expected),
         Command::Check(arguments) => check::command(&arguments),

@@ -13,6 +13,7 @@ use crate::report::{MainFigure, RailFacts, RunFacts};
 use crate::scenario::{Heat, Scenario};
 use crate::times::StepTimes;
 use crate::traffic::Traffic;
+use crate::unit::Unit;
 
 /// The manifest cannot be written.
 #[derive(Debug)]
@@ -26,9 +27,8 @@ pub struct ManifestError {
 /// What made the results of a run.
 #[derive(Debug, Serialize)]
 pub struct Manifest {
-    hotfoot_version: &'static str,
-    git_commit: &'static str,
-    machine: String,
+    #[serde(flatten)]
+    origin: Origin,
     /// Simulated time reached, s; 0 while the run has not ended.
     simulated_s: f64,
     scenario: String,
@@ -40,6 +40,26 @@ pub struct Manifest {
     pub figure: Vec<MainFigure>,
 }
 
+/// The program and the machine.
+#[derive(Debug, Serialize)]
+pub struct Origin {
+    hotfoot_version: &'static str,
+    git_commit: &'static str,
+    machine: String,
+}
+
+impl Origin {
+    /// This program on this machine.
+    pub fn new() -> Self {
+        let cores = std::thread::available_parallelism().map_or(0, usize::from);
+        Self {
+            hotfoot_version: env!("CARGO_PKG_VERSION"),
+            git_commit: env!("HOTFOOT_GIT_COMMIT"),
+            machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+        }
+    }
+}
+
 /// Wall time of a part of all steps.
 #[derive(Debug, Serialize)]
 struct WallTime {
@@ -49,7 +69,7 @@ struct WallTime {
 
 /// An FMU that took part.
 #[derive(Debug, Serialize)]
-struct FmuEntry {
+pub struct FmuEntry {
     file: String,
     sha256: String,
     guid: String,
@@ -58,7 +78,6 @@ struct FmuEntry {
 impl Manifest {
     /// A manifest of a run that begins.
     pub fn new(scenario: &Scenario, text: String, threads: usize, lockstep: &Lockstep) -> Self {
-        let cores = std::thread::available_parallelism().map_or(0, usize::from);
         let run = RunFacts {
             title: scenario.title.clone(),
             train_alone: scenario.train_alone,
@@ -72,14 +91,12 @@ impl Manifest {
             ..RunFacts::default()
         };
         Self {
-            hotfoot_version: env!("CARGO_PKG_VERSION"),
-            git_commit: env!("HOTFOOT_GIT_COMMIT"),
-            machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+            origin: Origin::new(),
             simulated_s: 0.0,
             scenario: text,
             run,
             wall_time_of: vec![],
-            fmu: fmus(lockstep),
+            fmu: fmus(lockstep.units()),
             figure: vec![],
         }
     }
@@ -105,10 +122,7 @@ impl Manifest {
     /// # Errors
     /// When the file cannot be written.
     pub fn write(&self, results: &Path) -> Result<(), ManifestError> {
-        let path = results.join("manifest.toml");
-        let text = toml::to_string(self).expect("a manifest is a TOML table");
-        std::fs::write(&path, text)
-            .map_err(|source| ManifestError { path: path.display().to_string(), source })
+        write_toml(self, results)
     }
 }
 
@@ -126,6 +140,17 @@ fn rail_facts(scenario: &Scenario, heat: &Heat, lockstep: &Lockstep) -> RailFact
     }
 }
 
+/// Writes a manifest into the results folder.
+///
+/// # Errors
+/// When the file cannot be written.
+pub fn write_toml(manifest: &impl Serialize, results: &Path) -> Result<(), ManifestError> {
+    let path = results.join("manifest.toml");
+    let text = toml::to_string(manifest).expect("a manifest is a TOML table");
+    std::fs::write(&path, text)
+        .map_err(|source| ManifestError { path: path.display().to_string(), source })
+}
+
 /// The curves of the track, for the figures; a track that cannot be read has none here, since
 /// the units that need it have already said so.
 fn curves(track: &Path) -> Vec<[f64; 2]> {
@@ -133,9 +158,9 @@ fn curves(track: &Path) -> Vec<[f64; 2]> {
 }
 
 /// The FMUs that the units of a run are instances of.
-fn fmus(lockstep: &Lockstep) -> Vec<FmuEntry> {
+pub fn fmus<'u>(units: impl Iterator<Item = &'u dyn Unit>) -> Vec<FmuEntry> {
     let guids: BTreeMap<_, _> =
-        lockstep.units().map(|unit| (unit.source_file(), &unit.interface().guid)).collect();
+        units.map(|unit| (unit.source_file(), &unit.interface().guid)).collect();
     let entry = |(file, guid): (&str, &String)| {
         let sha256 = sha256(&std::fs::read(file).ok()?);
         Some(FmuEntry { file: file.to_owned(), sha256, guid: guid.clone() })

@@ -32,6 +32,7 @@ impl Mock {
             causality: (*causality).to_owned(),
             unit: None,
             si: None,
+            start: None,
             description: String::new(),
         };
         Self {

@@ -53,6 +53,8 @@ impl Signal {
 pub struct Port {
     /// Values in the order of the signals.
     pub values: Vec<f64>,
+    /// Names in the unit of the signals that it has.
+    names: Vec<String>,
     /// Value references of the signals that the unit has.
     references: Vec<u32>,
     /// Place of each of them in `values`.
@@ -87,6 +89,7 @@ impl Port {
                         Ok(way) => port.conversions.push((port.references.len(), way)),
                         Err(problem) => problems.push(problem),
                     }
+                    port.names.push(name.clone());
                     port.references.push(v.reference);
                     port.places.push(place);
                 }
@@ -102,6 +105,15 @@ impl Port {
         }
         port.buffer = vec![0.0; port.references.len()];
         if problems.is_empty() { Ok(port) } else { Err(problems) }
+    }
+
+    /// The unit's variable behind the signal at `place`, and the way from its unit of
+    /// measurement to that of the exchange; none where the unit has no such variable.
+    pub fn variable(&self, place: usize) -> Option<(&str, Linear)> {
+        let at = self.places.iter().position(|&other| other == place)?;
+        let conversion = self.conversions.iter().find(|(other, _)| *other == at);
+        let way = conversion.map_or(Linear::IDENTITY, |(_, way)| *way);
+        Some((&self.names[at], way))
     }
 
     /// Sends the values to the unit.

@@ -38,6 +38,19 @@ impl Progress {
 
     /// Shows the state after `done` steps at `time`, if it is due.
     pub fn show(&mut self, done: u64, time: f64, lockstep: &Lockstep) {
+        self.show_with(done, time, || {
+            let live = LiveFigures::of(lockstep);
+            format!(
+                ", {:.1} km/h, coupler {:.0} kN at {}",
+                live.speed * 3.6,
+                live.coupler_force / 1e3,
+                live.vehicle,
+            )
+        });
+    }
+
+    /// Shows the time after `done` steps and what `figures` says, if it is due.
+    pub fn show_with(&mut self, done: u64, time: f64, figures: impl FnOnce() -> String) {
         let now = Instant::now();
         if now - self.updated < UPDATE {
             return;
@@ -45,13 +58,10 @@ impl Progress {
         self.updated = now;
         self.bar.set_position(done);
         let real_time = time / (now - self.begin).as_secs_f64();
-        let live = LiveFigures::of(lockstep);
         self.bar.set_message(format!(
-            "{time:.1} of {:.0} s, {real_time:.2} x real time, {:.1} km/h, coupler {:.0} kN at {}",
+            "{time:.1} of {:.0} s, {real_time:.2} x real time{}",
             self.duration,
-            live.speed * 3.6,
-            live.coupler_force / 1e3,
-            live.vehicle,
+            figures(),
         ));
     }
 

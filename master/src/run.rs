@@ -101,15 +101,14 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
         }
         scenario.duration_s = duration;
     }
-    let threads = options
-        .threads
-        .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into));
+    let threads = options.threads.unwrap_or_else(default_threads);
     let pool = parallel::pool(threads).map_err(|source| RunError::Threads { threads, source })?;
     let results = match &options.results {
         Some(folder) => folder.clone(),
         None => new_results(&file),
     };
-    let folders = Folders { fmus: options.fmus.clone(), results: absolute(&results)? };
+    let io = |source| RunError::Io { path: results.display().to_string(), source };
+    let folders = Folders { fmus: options.fmus.clone(), results: absolute(&results).map_err(io)? };
 
     let mut lockstep = prepare(&scenario, &folders)?;
     let mut manifest = Manifest::new(&scenario, text, threads, &lockstep);
@@ -200,7 +199,7 @@ fn warnings(lockstep: &mut Lockstep) -> Vec<String> {
 }
 
 /// The scenario's folder names the run, or its file if it is not called `scenario.toml`.
-fn scenario_name(file: &Path) -> String {
+pub fn scenario_name(file: &Path) -> String {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let absolute = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let folder = absolute.parent().and_then(Path::file_name);
@@ -216,7 +215,7 @@ pub fn new_results(scenario: &Path) -> PathBuf {
 }
 
 /// `results/<name>`, or with a number behind it if that is there: no run overwrites another.
-fn new_folder(name: &str) -> PathBuf {
+pub fn new_folder(name: &str) -> PathBuf {
     let candidate = |n: u32| match n {
         1 => PathBuf::from("results").join(name),
         n => PathBuf::from("results").join(format!("{name}-{n}")),
@@ -224,10 +223,18 @@ fn new_folder(name: &str) -> PathBuf {
     (1..).map(candidate).find(|folder| !folder.exists()).unwrap_or_default()
 }
 
-fn absolute(folder: &Path) -> Result<PathBuf, RunError> {
-    let io = |source| RunError::Io { path: folder.display().to_string(), source };
-    std::fs::create_dir_all(folder).map_err(io)?;
-    std::path::absolute(folder).map_err(io)
+/// Makes the folder if it is not there, and gives its absolute path.
+///
+/// # Errors
+/// When it cannot be made.
+pub fn absolute(folder: &Path) -> std::io::Result<PathBuf> {
+    std::fs::create_dir_all(folder)?;
+    std::path::absolute(folder)
+}
+
+/// All cores.
+pub fn default_threads() -> usize {
+    std::thread::available_parallelism().map_or(1, Into::into)
 }
 
 impl From<manifest::ManifestError> for RunError {
