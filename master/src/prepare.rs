@@ -136,8 +136,12 @@ impl Builder<'_> {
                         import
                     }
                 };
-                let names = replacement.map(|other| &other.names).cloned().unwrap_or_default();
-                vehicles.push(self.vehicle(&import, place, &names)?);
+                let names = match (replacement, &common) {
+                    (Some(other), _) => &other.names,
+                    (None, Some(_)) => &self.scenario.fmus.vehicle_names,
+                    (None, None) => &BTreeMap::new(),
+                };
+                vehicles.push(self.vehicle(&import, place, names)?);
             }
         }
         Ok(vehicles)

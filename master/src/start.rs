@@ -44,8 +44,9 @@ impl Train {
     fn initialize(&mut self, values: Motion, start: f64, stop: f64) -> Result<(), UnitError> {
         set_start_values(&mut self.start, self.unit.as_mut(), values)?;
         self.unit.enter_initialization(start, stop)?;
-        self.outputs.get(self.unit.as_mut())?;
-        self.unit.exit_initialization()
+        self.unit.exit_initialization()?;
+        // Some FMUs compute their outputs only when the initialisation ends.
+        self.outputs.get(self.unit.as_mut())
     }
 }
 
@@ -55,9 +56,10 @@ impl Vehicle {
         set_start_values(&mut self.start, self.unit.as_mut(), place)?;
         self.unit.enter_initialization(start, stop)?;
         self.inputs.set(self.unit.as_mut())?;
+        self.unit.exit_initialization()?;
         self.outputs.get(self.unit.as_mut())?;
         self.controller_force = self.controller.force(self.motion(), place);
-        self.unit.exit_initialization()
+        Ok(())
     }
 }
 
