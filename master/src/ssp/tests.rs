@@ -166,17 +166,24 @@ fn what_is_wrong_is_answered_with_file_and_line() {
     let elements = |content: &str| format!("<ssd:Elements>\n{content}</ssd:Elements>");
     for (system, wanted) in [
         (
-            elements(&component("a", "")) + "<ssd:Connections>" + &connection("a.y", "b.u", "")
+            elements(&component("a", ""))
+                + "<ssd:Connections>"
+                + &connection("a.y", "b.u", "")
                 + "</ssd:Connections>",
             "'b' has no connector 'u'",
         ),
         (
-            elements(&component("a", "")) + "<ssd:Connections>" + &connection("a.y", "a.y", "")
+            elements(&component("a", ""))
+                + "<ssd:Connections>"
+                + &connection("a.y", "a.y", "")
                 + "</ssd:Connections>",
             "one must give values and the other take them",
         ),
         (elements(&(component("a", "") + &component("a", ""))), "two components with the name 'a'"),
-        (elements(r#"<ssd:Component name="a"/>"#), "line 6: element Component lacks the attribute 'source'"),
+        (
+            elements(r#"<ssd:Component name="a"/>"#),
+            "line 6: element Component lacks the attribute 'source'",
+        ),
         (
             elements(r#"<ssd:SignalDictionaryReference name="d"/>"#),
             "element SignalDictionaryReference is not supported",
