@@ -1,16 +1,16 @@
 //! The commands of the program `hotfoot`.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use clap::Args;
 use miette::{IntoDiagnostic, Result, miette};
 
-use crate::fmi::Import;
 use crate::pack::{self, Binary};
-use crate::roles::{self, Role};
 use crate::run::{self, Options};
 use crate::ssp::{self, SystemOptions};
-use crate::{archive, report, scenario};
+use crate::{archive, expected, recording, reference, report, scenario, supervise};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
@@ -64,16 +64,52 @@ pub struct PackArguments {
     /// Rolling-stock library that is put into the resources as `stock`
     #[arg(long)]
     stock: Option<PathBuf>,
+    /// Folder with the experiment whose result the FMU shall carry as a self-test
+    #[arg(long)]
+    reference: Option<PathBuf>,
+    /// Text in Markdown with the equations, for the documentation
+    #[arg(long)]
+    theory: Option<PathBuf>,
     /// FMU to write
     #[arg(long, short)]
     output: PathBuf,
 }
 
-/// Runs a scenario, tells where the results are, and the main figures.
+/// Arguments that a command of the program `hotfoot-tools` gets as they are, `--help` too.
+#[derive(Args)]
+pub struct ToolArguments {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENTS")]
+    arguments: Vec<OsString>,
+}
+
+/// Runs a scenario in a child process, tells where the results are, and the main figures.
 ///
 /// # Errors
-/// When the scenario is wrong or a unit fails.
+/// When the scenario is wrong, a unit fails or crashes.
 pub fn run(arguments: &RunArguments) -> Result<()> {
+    if supervise::is_child() {
+        return run_here(arguments);
+    }
+    let results =
+        arguments.results.clone().unwrap_or_else(|| run::new_results(&arguments.scenario));
+    let further = match arguments.results {
+        Some(_) => vec![],
+        None => vec!["--results".into(), results.clone().into_os_string()],
+    };
+    supervise::in_child(&further, || {
+        let series = results.join("series");
+        if !series.exists() {
+            return Err(miette!("an FMU has crashed the run before anything was recorded"));
+        }
+        recording::complete(&series).into_diagnostic()?;
+        Err(miette!(
+            "an FMU has crashed the run; the results until then are in {}",
+            results.display()
+        ))
+    })
+}
+
+fn run_here(arguments: &RunArguments) -> Result<()> {
     if arguments.scenario.extension().is_some_and(|extension| extension == "ssp") {
         return run_system(arguments);
     }
@@ -140,22 +176,17 @@ pub fn report(results: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Says whether an FMU can fill a role.
+/// Says how the figures of a run compare with those expected of its scenario.
 ///
 /// # Errors
-/// When the FMU cannot be read, or lacks something.
-pub fn check(fmu: &Path, role: Role) -> Result<()> {
-    let import = Import::open(fmu).into_diagnostic()?;
-    let problems = roles::missing(import.interface(), role);
-    if !problems.is_empty() {
-        return Err(miette!(
-            "{} cannot be used as {role:?}:\n{}",
-            fmu.display(),
-            problems.join("\n")
-        ));
+/// When a file cannot be read, or a figure differs.
+pub fn expect(results: &Path, expected: &Path) -> Result<()> {
+    let comparisons = expected::compare(results, expected).into_diagnostic()?;
+    comparisons.iter().for_each(|comparison| println!("{comparison}"));
+    match comparisons.iter().filter(|comparison| !comparison.agrees()).count() {
+        0 => Ok(()),
+        count => Err(miette!("{count} of {} figures differ", comparisons.len())),
     }
-    println!("{} can be used as {role:?}", fmu.display());
-    Ok(())
 }
 
 /// Packs an FMU.
@@ -175,7 +206,14 @@ pub fn pack(arguments: &PackArguments) -> Result<()> {
         true => Binary::Fmu(&arguments.binary),
         false => Binary::Library(&arguments.binary),
     };
-    pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()
+    pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()?;
+    if let Some(theory) = &arguments.theory {
+        pack::add_equations(&arguments.output, theory).into_diagnostic()?;
+    }
+    match &arguments.reference {
+        Some(reference) => reference::pack(&arguments.output, reference).into_diagnostic(),
+        None => Ok(()),
+    }
 }
 
 /// Lists the variables of an FMU, or prints its model description.
@@ -207,4 +245,20 @@ pub fn schema() -> Result<()> {
     let schema = schemars::schema_for!(scenario::Scenario);
     println!("{}", serde_json::to_string_pretty(&schema).into_diagnostic()?);
     Ok(())
+}
+
+/// Runs a command of the program `hotfoot-tools`, which stands beside this one: it knows the models
+/// that the master does not know. Ends this program with the status of that one.
+///
+/// # Errors
+/// When the program cannot be started.
+pub fn tool(command: &str, arguments: &ToolArguments) -> Result<()> {
+    let name = format!("hotfoot-tools{}", std::env::consts::EXE_SUFFIX);
+    let program = std::env::current_exe().unwrap_or_default().with_file_name(name);
+    let status = Command::new(&program).arg(command).args(&arguments.arguments).status();
+    let status = status.map_err(|error| {
+        let program = program.display();
+        miette!("`hotfoot {command}` needs the program {program}, which cannot be started: {error}")
+    })?;
+    std::process::exit(status.code().unwrap_or(1))
 }

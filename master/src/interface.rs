@@ -51,6 +51,10 @@ pub struct Interface {
     pub guid: String,
     /// Whether only one instance may live in a process.
     pub once_per_process: bool,
+    /// Whether the FMU can save its state and be set back to it.
+    pub can_get_and_set_state: bool,
+    /// Whether steps may differ in length.
+    pub variable_step: bool,
     variables: HashMap<String, Variable>,
     units: HashMap<String, SiUnit>,
 }
@@ -87,6 +91,8 @@ impl Interface {
             model_name: root.model_name,
             guid: root.guid,
             once_per_process: slave.once_per_process,
+            can_get_and_set_state: slave.can_get_and_set_state,
+            variable_step: slave.variable_step,
             variables: variables.filter_map(|scalar| variable(scalar, &units)).collect(),
             units: units.units,
         })
@@ -295,6 +301,10 @@ mod xml {
         pub model_identifier: String,
         #[serde(rename = "@canBeInstantiatedOnlyOncePerProcess", default)]
         pub once_per_process: bool,
+        #[serde(rename = "@canGetAndSetFMUstate", default)]
+        pub can_get_and_set_state: bool,
+        #[serde(rename = "@canHandleVariableCommunicationStepSize", default)]
+        pub variable_step: bool,
     }
 
     #[derive(Deserialize)]

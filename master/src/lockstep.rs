@@ -1,4 +1,4 @@
-//! The step loop: train, vehicles and rail in lockstep (docs/user-guide, "The step").
+//! The step loop: train, vehicles and rails in lockstep (docs/user-guide, "The step").
 //!
 //! After each step the outputs of a unit are got once; then everything is computed, set once and
 //! stepped, so that no output is read between a set and the next step (FMI 2.0 §4.2.4). Times
@@ -67,25 +67,31 @@ pub struct Lockstep {
     pub train: Train,
     /// The vehicles from head to tail.
     pub vehicles: Vec<Vehicle>,
-    /// The rail, if one is heated.
-    pub rail: Option<Rail>,
+    /// The heated rails.
+    pub rails: Vec<Rail>,
     /// Where the wall time goes.
     pub times: StepTimes,
 }
 
 impl Lockstep {
-    /// All units: the train, the vehicles from head to tail, the rail.
+    /// All units: the train, the vehicles from head to tail, the rails.
     pub fn units(&self) -> impl Iterator<Item = &dyn Unit> {
         let vehicles = self.vehicles.iter().map(|vehicle| vehicle.unit.as_ref());
-        let rail = self.rail.iter().map(|rail| rail.unit.as_ref());
-        std::iter::once(self.train.unit.as_ref()).chain(vehicles).chain(rail)
+        let rails = self.rails.iter().map(|rail| rail.unit.as_ref());
+        std::iter::once(self.train.unit.as_ref()).chain(vehicles).chain(rails)
     }
 
     /// All units, in the order of [`units`](Self::units).
     pub fn units_mut(&mut self) -> impl Iterator<Item = &mut Box<dyn Unit>> {
         let vehicles = self.vehicles.iter_mut().map(|vehicle| &mut vehicle.unit);
-        let rail = self.rail.iter_mut().map(|rail| &mut rail.unit);
-        std::iter::once(&mut self.train.unit).chain(vehicles).chain(rail)
+        let rails = self.rails.iter_mut().map(|rail| &mut rail.unit);
+        std::iter::once(&mut self.train.unit).chain(vehicles).chain(rails)
+    }
+
+    /// The time to which the rails have come after so many steps, s.
+    pub fn rails_time(&self, steps: u64) -> f64 {
+        let every = self.rails.first().map_or(1, |rail| rail.every);
+        self.clock.at(steps / every * every)
     }
 
     /// Takes all units from point `k` to `k + 1`.
@@ -118,8 +124,9 @@ impl Lockstep {
         }
         self.times.exchange += watch.lap();
 
-        if let Some(rail) = &mut self.rail {
-            rail.step(self.clock, k)?;
+        if self.rails.iter().any(|rail| rail.is_due(k)) {
+            let clock = self.clock;
+            parallel::for_each(&mut self.rails, |rail| rail.step(clock, k))?;
         }
         self.times.rail += watch.lap();
         Ok(())
@@ -153,9 +160,9 @@ impl Lockstep {
         }
     }
 
-    /// Hands the wheels' outputs to the rail.
+    /// Hands the wheels' outputs to the rails.
     pub fn pass_wheels(&mut self) {
-        if let Some(rail) = &mut self.rail {
+        for rail in &mut self.rails {
             rail.take(self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice()));
         }
     }

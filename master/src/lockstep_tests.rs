@@ -11,6 +11,7 @@ use crate::port::{Port, Signal};
 use crate::rail::Rail;
 use crate::roles::{self, vehicle_input, vehicle_output};
 use crate::scenario::Scheme;
+use crate::tape::Tape;
 use crate::unit::Unit;
 
 const VEHICLES: usize = 2;
@@ -88,7 +89,7 @@ fn lockstep(scheme: Scheme, every: u64) -> (Lockstep, Calls) {
         scheme,
         train: train(&calls),
         vehicles: (0..VEHICLES).map(|place| vehicle(place, &calls)).collect(),
-        rail: Some(rail),
+        rails: vec![rail],
         times: Default::default(),
     };
     (lockstep, calls)
@@ -103,7 +104,7 @@ fn run_from(lockstep: &mut Lockstep, first: u64, end: u64) {
     let pool = crate::parallel::pool(1).unwrap();
     pool.install(|| {
         if first == 0 {
-            lockstep.initialize(Motion { position: 0.0, velocity: 1.0 }, 10.0).unwrap();
+            lockstep.initialize(Motion { position: 0.0, velocity: 1.0 }, 10.0, 10.0).unwrap();
         }
         for k in first..end {
             lockstep.step(k).unwrap();
@@ -120,7 +121,7 @@ fn sequential_vehicles_get_the_forces_of_the_end_of_the_step() {
     run(&mut lockstep, 2);
     let forces = lockstep.vehicles.iter().map(|v| v.inputs.values[vehicle_input::COUPLER_FRONT]);
     assert_eq!(forces.collect::<Vec<_>>(), [1.0, 101.0]);
-    let rail = lockstep.rail.unwrap();
+    let rail = &lockstep.rails[0];
     assert_eq!(rail.inputs.values[0], 1.0, "position of the first wheelset");
     assert_eq!(rail.inputs.values[POWER], 1.0);
 }
@@ -131,7 +132,7 @@ fn jacobi_vehicles_get_the_forces_of_the_beginning_of_the_step() {
     run(&mut lockstep, 2);
     let forces = lockstep.vehicles.iter().map(|v| v.inputs.values[vehicle_input::COUPLER_FRONT]);
     assert_eq!(forces.collect::<Vec<_>>(), [0.5, 100.5]);
-    assert_eq!(lockstep.rail.unwrap().inputs.values[POWER], 0.5);
+    assert_eq!(lockstep.rails[0].inputs.values[POWER], 0.5);
 }
 
 /// The error of position is the time, as the train's place in the mock is zero.
@@ -154,12 +155,34 @@ fn the_controllers_force_acts_at_once_or_as_that_of_a_unit_one_step_later() {
 fn a_slower_rail_gets_means_and_the_last_position() {
     let (mut lockstep, calls) = lockstep(Scheme::Sequential, 2);
     run(&mut lockstep, 4);
-    let rail = lockstep.rail.unwrap();
+    let rail = &lockstep.rails[0];
     assert_eq!(rail.inputs.values[POWER], (1.5 + 2.0) / 2.0);
     assert_eq!(rail.inputs.values[0], 2.0);
     let calls = calls.lock().unwrap();
     let steps: Vec<_> = calls.iter().filter(|call| call.starts_with("rail step")).collect();
     assert_eq!(steps, ["rail step 0.000", "rail step 1.000"]);
+}
+
+/// A rail of 2 exchange steps a step: what it got in the run comes again from the tape; alone all
+/// inputs are zero.
+#[test]
+fn a_train_comes_again_as_it_was_and_alone_there_is_none() {
+    let (mut lockstep, _) = lockstep(Scheme::Sequential, 2);
+    let folder = tempfile::tempdir().unwrap();
+    lockstep.rails[0].tape = Some(Tape::new(folder.path()).unwrap());
+    run(&mut lockstep, 4);
+    assert_eq!(lockstep.rails_time(5), 4.0 * STEP, "an unfinished step of the rail does not count");
+    let rail = &mut lockstep.rails[0];
+    let of_last_step = rail.inputs.values.clone();
+    rail.step_alone(2.0, 10.0).unwrap();
+    assert!(rail.inputs.values.iter().all(|value| *value == 0.0));
+    assert_eq!(rail.rewind().unwrap(), 2);
+    rail.step_again(12.0, 1.0).unwrap();
+    assert_eq!(rail.inputs.values[POWER], (0.5 + 1.0) / 2.0);
+    rail.step_again(13.0, 1.0).unwrap();
+    assert_eq!(rail.inputs.values, of_last_step);
+    let end = rail.step_again(14.0, 1.0).unwrap_err().to_string();
+    assert!(end.contains("left rail") && end.contains("further trains"), "{end}");
 }
 
 /// FMI 2.0 §4.2.4: in stepping, no output is got after a set without a step in between.

@@ -8,9 +8,11 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::lockstep::Lockstep;
-use crate::report::RunFacts;
-use crate::scenario::Scenario;
+use crate::prepare_rail::Extent;
+use crate::report::{MainFigure, RailFacts, RunFacts};
+use crate::scenario::{Heat, Scenario};
 use crate::times::StepTimes;
+use crate::traffic::Traffic;
 use crate::unit::Unit;
 
 /// The manifest cannot be written.
@@ -34,6 +36,8 @@ pub struct Manifest {
     pub run: RunFacts,
     wall_time_of: Vec<WallTime>,
     fmu: Vec<FmuEntry>,
+    /// The main figures of the report, for programs.
+    pub figure: Vec<MainFigure>,
 }
 
 /// The program and the machine.
@@ -79,7 +83,7 @@ impl Manifest {
             train_alone: scenario.train_alone,
             vehicles: scenario.vehicle_count(),
             plotted: scenario.recorded_vehicles(),
-            rail: scenario.heat.as_ref().map_or("", |heat| heat.rail.side()).to_owned(),
+            rails: scenario.heat.as_ref().map(|heat| rail_facts(scenario, heat, lockstep)),
             heat_maps_at_s: scenario.record.heat_maps_at_s.clone(),
             curves_m: curves(&scenario.track.file),
             step_s: scenario.step_s,
@@ -93,6 +97,7 @@ impl Manifest {
             run,
             wall_time_of: vec![],
             fmu: fmus(lockstep.units()),
+            figure: vec![],
         }
     }
 
@@ -106,6 +111,7 @@ impl Manifest {
             ("rail", times.rail),
             ("exchange", times.exchange),
             ("recording", times.recording),
+            ("rails after the run", times.rails_after),
         ];
         self.wall_time_of =
             parts.map(|(part, time)| WallTime { part, seconds: time.as_secs_f64() }).into();
@@ -117,6 +123,19 @@ impl Manifest {
     /// When the file cannot be written.
     pub fn write(&self, results: &Path) -> Result<(), ManifestError> {
         write_toml(self, results)
+    }
+}
+
+/// What the run knows of the heated rails.
+fn rail_facts(scenario: &Scenario, heat: &Heat, lockstep: &Lockstep) -> RailFacts {
+    let run = (scenario.duration_s / scenario.step_s).round() as u64;
+    RailFacts {
+        sides: lockstep.rails.iter().map(|rail| rail.side_name().to_owned()).collect(),
+        model: heat.model.clone(),
+        length_m: Extent::of(scenario, heat).length,
+        detection_threshold_k: 1e-3 * heat.detection_threshold_mk,
+        trains: heat.trains.count,
+        last_train_end_s: Traffic::of(heat).last_train_end(lockstep.rails_time(run)),
     }
 }
 

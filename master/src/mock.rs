@@ -70,22 +70,6 @@ impl Unit for Mock {
         unreachable!("a mock has no texts")
     }
 
-    fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
-        self.note("set");
-        for (&reference, &value) in references.iter().zip(values) {
-            self.values[reference as usize] = value;
-        }
-        Ok(())
-    }
-
-    fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError> {
-        self.note("get");
-        for (&reference, value) in references.iter().zip(values) {
-            *value = self.values[reference as usize];
-        }
-        Ok(())
-    }
-
     fn set_integers(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
         unreachable!("a mock has Real variables only")
     }
@@ -100,6 +84,22 @@ impl Unit for Mock {
 
     fn get_booleans(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
         unreachable!("a mock has Real variables only")
+    }
+
+    fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
+        self.note("set");
+        for (&reference, &value) in references.iter().zip(values) {
+            self.values[reference as usize] = value;
+        }
+        Ok(())
+    }
+
+    fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError> {
+        self.note("get");
+        for (&reference, value) in references.iter().zip(values) {
+            *value = self.values[reference as usize];
+        }
+        Ok(())
     }
 
     fn enter_initialization(&mut self, _: f64, _: f64) -> Result<(), UnitError> {

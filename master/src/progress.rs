@@ -31,6 +31,11 @@ impl Progress {
         Self { bar, begin: now, updated: now, duration }
     }
 
+    /// Tells something that the user should know before the run is over.
+    pub fn tell(&self, sentence: &str) {
+        self.bar.suspend(|| eprintln!("note: {sentence}"));
+    }
+
     /// Shows the state after `done` steps at `time`, if it is due.
     pub fn show(&mut self, done: u64, time: f64, lockstep: &Lockstep) {
         self.show_with(done, time, || {
@@ -60,10 +65,19 @@ impl Progress {
         ));
     }
 
-    /// Removes the bar and gives the wall time since the beginning.
-    pub fn finish(self) -> Duration {
+    /// Shows the time to which the rails have come alone, if it is due.
+    pub fn show_rails(&mut self, time: f64) {
+        let now = Instant::now();
+        if now - self.updated < UPDATE {
+            return;
+        }
+        self.updated = now;
+        self.bar.set_message(format!("the rails alone, {:.1} min", time / 60.0));
+    }
+
+    /// Removes the bar.
+    pub fn finish(self) {
         self.bar.finish_and_clear();
-        self.begin.elapsed()
     }
 }
 

@@ -12,12 +12,17 @@ use crate::rail::Rail;
 use crate::unit::{Unit, UnitError};
 
 impl Lockstep {
-    /// Initialises all units for a run until `stop`, s, with the leading vehicle's middle and
-    /// speed as in `values`.
+    /// Initialises all units for a run until `stop`, the rails until `rails_stop`, s, with the
+    /// leading vehicle's middle and speed as in `values`.
     ///
     /// # Errors
     /// When a unit cannot be initialised.
-    pub fn initialize(&mut self, values: Motion, stop: f64) -> Result<(), UnitError> {
+    pub fn initialize(
+        &mut self,
+        values: Motion,
+        stop: f64,
+        rails_stop: f64,
+    ) -> Result<(), UnitError> {
         let start = self.clock.start;
         self.train.initialize(values, start, stop)?;
         self.pass_forces();
@@ -27,7 +32,7 @@ impl Lockstep {
             vehicle.initialize(*place, start, stop)
         })?;
         self.pass_wheels();
-        self.rail.as_mut().map_or(Ok(()), |rail| rail.initialize(start, stop))
+        parallel::for_each(&mut self.rails, |rail| rail.initialize(start, rails_stop))
     }
 
     /// Ends the run of all units; every one is told, the first error is given.
@@ -66,6 +71,9 @@ impl Vehicle {
 impl Rail {
     fn initialize(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {
         self.unit.enter_initialization(start, stop)?;
+        for &(reference, value) in &self.constants {
+            self.unit.set_reals(&[reference], &[value])?;
+        }
         self.form_means();
         self.inputs.set(self.unit.as_mut())?;
         self.unit.exit_initialization()

@@ -51,18 +51,6 @@ pub trait Unit: Send {
     /// When the unit refuses.
     fn get_text(&mut self, reference: u32) -> Result<String, UnitError>;
 
-    /// Sets Real variables by value reference.
-    ///
-    /// # Errors
-    /// When the unit refuses.
-    fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError>;
-
-    /// Gets Real variables by value reference into `values`.
-    ///
-    /// # Errors
-    /// When the unit refuses.
-    fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError>;
-
     /// Sets Integer variables by value reference.
     ///
     /// # Errors
@@ -86,6 +74,18 @@ pub trait Unit: Send {
     /// # Errors
     /// When the unit refuses.
     fn get_booleans(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), UnitError>;
+
+    /// Sets Real variables by value reference.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError>;
+
+    /// Gets Real variables by value reference into `values`.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError>;
 
     /// Begins the initialisation of a run from `start` to `stop`, s.
     ///

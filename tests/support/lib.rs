@@ -1,5 +1,7 @@
 //! What the tests of the whole system share: where things are, small scenarios, and the program.
 
+pub mod hostile;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 

@@ -9,11 +9,12 @@ use crate::shell::{cargo, hotfoot, output, run, target};
 /// The models that become FMUs.
 const MODELS: [&str; 4] = ["vehicle", "longitudinal", "railheat", "synchronisation"];
 
-/// Builds the program and the FMUs' binaries in release, and packs the FMUs into `target/fmus`:
+/// Builds the programs and the FMUs' binaries in release, and packs the FMUs into `target/fmus`:
 /// those that have default resources, with them and the stock library.
 pub fn build() -> Result<()> {
     let packages = MODELS.iter().flat_map(|model| ["-p".to_owned(), format!("{model}-fmu")]);
-    run(cargo().args(["build", "--release", "-p", "hotfoot"]).args(packages))?;
+    let programs = ["-p", "hotfoot", "-p", "hotfoot-tools"];
+    run(cargo().args(["build", "--release"]).args(programs).args(packages))?;
     let folder = target().join("fmus");
     std::fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
     for model in MODELS {
@@ -28,6 +29,8 @@ pub fn build() -> Result<()> {
         if resources.exists() {
             pack.arg("--resources").arg(resources).args(["--stock", "stock"]);
         }
+        pack.arg("--theory").arg(format!("docs/theory/{model}.md"));
+        pack.arg("--reference").arg(format!("fmus/{model}/reference"));
         run(pack.arg("--output").arg(fmu(model)))?;
     }
     Ok(())

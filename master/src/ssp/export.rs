@@ -64,8 +64,6 @@ pub struct Exported {
 
 /// Name of the train's component.
 const TRAIN: &str = "train";
-/// Name of the rail's component.
-const RAIL: &str = "rail";
 /// File of the controller's FMU.
 const CONTROLLER_FMU: &str = "synchronisation.fmu";
 
@@ -87,7 +85,7 @@ pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, Expor
         velocity: scenario.train.speed_m_per_s,
     };
     let pool = parallel::pool(default_threads())?;
-    pool.install(|| lockstep.initialize(start, scenario.duration_s))?;
+    pool.install(|| lockstep.initialize(start, scenario.duration_s, scenario.duration_s))?;
 
     let package = folder.path().join("package");
     let mut sources = Sources::new(&package);
@@ -180,14 +178,18 @@ impl Exporter<'_> {
             step: Some(scenario.step_s),
             ..Structure::default()
         };
-        let names: Vec<_> = self.names();
-        for (unit, name) in self.lockstep.units_mut().zip(names) {
+        for unit in self.lockstep.units_mut() {
             structure.components.push(Component {
-                name,
+                name: component_name(unit.name()),
                 source: self.sources.add(Path::new(unit.source_file())),
                 connectors: vec![],
                 parameters: parameters(unit.as_mut(), self.folders)?,
             });
+        }
+        for rail in &self.lockstep.rails {
+            let name = component_name(rail.unit.name());
+            let component = structure.components.iter_mut().find(|other| other.name == name);
+            component.into_iter().for_each(|rails| rails.parameters.extend(constants(rail)));
         }
         if !self.lockstep.vehicles.is_empty() {
             let source = self.sources.add(controller);
@@ -207,20 +209,13 @@ impl Exporter<'_> {
         Ok(structure)
     }
 
-    /// Names of the units in their order.
-    fn names(&self) -> Vec<String> {
-        let vehicles = (1..=self.lockstep.vehicles.len()).map(vehicle_name);
-        let rail = self.lockstep.rail.iter().map(|_| RAIL.to_owned());
-        std::iter::once(TRAIN.to_owned()).chain(vehicles).chain(rail).collect()
-    }
-
     fn connections(&self) -> Vec<Connection> {
         let mut connections = vec![];
         for place in 1..=self.lockstep.vehicles.len() {
             connections.extend(self.forces(place));
             connections.extend(self.controller(place));
         }
-        if let Some(rail) = &self.lockstep.rail {
+        for rail in &self.lockstep.rails {
             connections.extend(self.wheels(rail));
         }
         connections
@@ -273,6 +268,7 @@ impl Exporter<'_> {
 
     /// From the vehicles' wheelsets to the rail.
     fn wheels(&self, rail: &Rail) -> Vec<Connection> {
+        let name = component_name(rail.unit.name());
         let mut connections = vec![];
         let mut block = 0;
         for (i, vehicle) in self.lockstep.vehicles.iter().enumerate() {
@@ -283,7 +279,7 @@ impl Exporter<'_> {
                 for (input, output) in outputs.into_iter().chain(of_wheel).enumerate() {
                     connections.extend(connection(
                         (&vehicle_name(i + 1), &vehicle.outputs, output),
-                        (RAIL, &rail.inputs, block + input),
+                        (&name, &rail.inputs, block + input),
                     ));
                 }
                 block += rail_input::NAMES.len();
@@ -291,6 +287,12 @@ impl Exporter<'_> {
         }
         connections
     }
+}
+
+/// Name of a unit's component: `vehicle_17` for `vehicle[17]`, as brackets are no part of an SSP
+/// name.
+fn component_name(unit: &str) -> String {
+    unit.replace('[', "_").replace(']', "")
 }
 
 fn vehicle_name(place: usize) -> String {
@@ -314,6 +316,15 @@ fn connection(output: PortPlace<'_>, input: PortPlace<'_>) -> Option<Connection>
     let (to, to_way) = input.1.variable(input.2)?;
     let way = from_way.then(to_way.inverse());
     Some(Connection::of(endpoint(output.0, from), endpoint(input.0, to), way))
+}
+
+/// The inputs of a rail that keep a value throughout.
+fn constants(rail: &Rail) -> Vec<Parameter> {
+    let parameter = |&(reference, value)| {
+        let name = rail.unit.interface().name_of(VariableType::Real, reference)?;
+        Some(Parameter::new(name, Value::Real(value)))
+    };
+    rail.constants.iter().filter_map(parameter).collect()
 }
 
 fn gains(gains: &Gains) -> Vec<Parameter> {
