@@ -14,7 +14,7 @@ use crate::parameters::set_parameter;
 use crate::port::{Port, Signal};
 use crate::resources::{self, Origins};
 use crate::roles::{self, RoleSignals, wheelset_count};
-use crate::scenario::{Scenario, VehicleReplacement};
+use crate::scenario::{Scenario, Value, VehicleReplacement};
 use crate::times::StepTimes;
 use crate::unit::{Unit, UnitError};
 
@@ -171,11 +171,13 @@ impl Builder<'_> {
                         import
                     }
                 };
-                vehicles.push(self.vehicle(
-                    &import,
-                    place,
-                    replacement.map(|(other, _)| *other),
-                )?);
+                let nothing = (&BTreeMap::new(), &BTreeMap::new());
+                let (names, parameters) = match (replacement, &common) {
+                    (Some((other, _)), _) => (&other.names, &other.parameters),
+                    (None, Some(_)) => (&self.scenario.fmus.vehicle_names, nothing.1),
+                    (None, None) => nothing,
+                };
+                vehicles.push(self.vehicle(&import, place, names, parameters)?);
             }
         }
         Ok(vehicles)
@@ -203,14 +205,14 @@ impl Builder<'_> {
         &self,
         import: &Arc<Import>,
         place: usize,
-        replacement: Option<&VehicleReplacement>,
+        names: &BTreeMap<String, String>,
+        parameters: &BTreeMap<String, Value>,
     ) -> Result<Vehicle, PrepareError> {
-        let names = replacement.map(|other| other.names.clone()).unwrap_or_default();
-        let signals = roles::vehicle_signals(wheelset_count(import.interface(), &names));
-        let ports = connect(import, &signals, &names, "vehicle")?;
+        let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
+        let ports = connect(import, &signals, names, "vehicle")?;
         let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
         let mut constants = vec![];
-        for (name, value) in replacement.into_iter().flat_map(|other| &other.parameters) {
+        for (name, value) in parameters {
             constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
         }
         Ok(Vehicle {

@@ -201,6 +201,9 @@ pub struct Fmus {
     /// For all vehicles.
     #[garde(skip)]
     pub vehicle: Option<PathBuf>,
+    /// The names of the FMU for all vehicles for our signals, where they differ.
+    #[garde(skip)]
+    pub vehicle_names: BTreeMap<String, String>,
     /// For the rail.
     #[garde(skip)]
     pub railheat: Option<PathBuf>,
