@@ -13,6 +13,7 @@
 //! | `propulsion.rs` | its sections on traction and dynamic brake |
 //! | `brake.rs` | its sections on friction brakes |
 //! | `multibody.rs` | its section for the three-dimensional model; `multibody_check.rs` checks it |
+//! | `elements.rs` | the force elements of that section; `elements_check.rs` checks them |
 //! | `gear_file.rs`, `wedge.rs` | the draft-gear file |
 //! | `draft_gear.rs`, `force_curve.rs` | what it comes down to: forces over deflections |
 //! | `consist.rs` | the consist file: the vehicles of a train in order |
@@ -23,6 +24,8 @@ mod check;
 mod consist;
 mod curve_resistance;
 mod draft_gear;
+mod elements;
+mod elements_check;
 mod force_curve;
 mod gear_file;
 mod library;
@@ -40,12 +43,13 @@ pub use check::{Check, StockError};
 pub use consist::{Consist, Member};
 pub use curve_resistance::{CurveFormula, CurveTable};
 pub use draft_gear::{Characteristic, DraftGear, Orifice};
+pub use elements::{
+    CentrePlate, Damper, Direction, Friction, Rod, RotationalSpring, SideBearer, Spring, Stop,
+    TabulatedSpring, Wedge as FrictionWedge,
+};
 pub use force_curve::ForceCurve;
 pub use library::{Library, read_toml};
-pub use multibody::{
-    Body, CouplerAttachment, CreepLaw, Damper, Direction, Multibody, Spring, Stop,
-    WheelRailContact, Wheelset,
-};
+pub use multibody::{Body, CouplerAttachment, CreepLaw, Multibody, WheelRailContact, Wheelset};
 pub use propulsion::{
     Between, DynamicBrake, EffortByNotch, EffortBySpeed, NOTCHES, Traction, ValueBySpeed,
 };

@@ -11,6 +11,8 @@ use crate::field_file::FieldFile;
 use crate::file::Shape;
 use crate::heat::{Heat, State};
 use crate::paper::{Paper, Stray};
+use crate::parameters_energy::{self, Place};
+use crate::parameters_site;
 use crate::signals::Signals;
 use crate::weather_file::WeatherFile;
 use crate::wheels::Wheel;
@@ -46,17 +48,18 @@ impl Model for RailHeat {
     fn initialize(
         signals: &Signals,
         values: &mut Values,
-        _resources: &Path,
+        resources: &Path,
         start_time: f64,
-        _log: &mut Log,
+        log: &mut Log,
     ) -> Result<Self, ModelError> {
         let file = open_weather(signals, values)?;
         let weather = weather_at(file.as_ref(), signals, values, start_time)?;
-        let model = build(signals, values, &weather, start_time)?;
+        let at = Beginning { file: file.as_ref(), resources, weather: &weather, time: start_time };
+        let model = build(signals, values, &at)?;
         let wheels = vec![Wheel::default(); signals.wheels.len()];
         let rail_heat = Self {
             probes: probe_elements(&signals.shape, &model)?,
-            field: begin_field(signals, values, start_time, &model)?,
+            field: begin_field(signals, values, start_time, &model, log)?,
             weather: file,
             wheels,
             model,
@@ -160,23 +163,28 @@ impl RailHeat {
     }
 }
 
+/// Where and when the model begins.
+struct Beginning<'b> {
+    file: Option<&'b WeatherFile>,
+    resources: &'b Path,
+    weather: &'b Weather,
+    time: f64,
+}
+
 /// The model that the parameters choose, at its start.
-fn build(
-    signals: &Signals,
-    values: &Values,
-    weather: &Weather,
-    start_time: f64,
-) -> Result<Heat, ModelError> {
+fn build(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Heat, ModelError> {
     let Shape { wheelsets, depths, .. } = &signals.shape;
     match values[signals.parameters.model].as_str() {
         "paper" => {
-            let parameters = signals.parameters.read(values, weather, depths)?;
-            let paper = Paper::new(parameters, signals.wheels.len(), start_time);
+            let parameters = signals.parameters.read(values, at.weather, depths)?;
+            let paper = Paper::new(parameters, signals.wheels.len(), at.time);
             paper.map(|paper| Heat::Paper(Box::new(paper))).map_err(ModelError::from_error)
         }
         "energy" => {
-            let parameters = signals.parameters_energy.read(&signals.parameters, values, depths)?;
-            let energy = Energy::new(parameters, wheelsets, weather, start_time);
+            let place = place(signals, values, at)?;
+            let parameters =
+                signals.parameters_energy.read(&signals.parameters, place, values, depths)?;
+            let energy = Energy::new(parameters, wheelsets, at.weather, at.time);
             energy.map(|energy| Heat::Energy(Box::new(energy))).map_err(ModelError::from_error)
         }
         other => {
@@ -184,6 +192,25 @@ fn build(
             Err(ModelError::new(sentence))
         }
     }
+}
+
+/// Where the track runs, where the sun stands and what day it is.
+fn place(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Place, ModelError> {
+    let site = &signals.site;
+    let line = parameters_energy::line(&signals.parameters, values)?;
+    let ephemeris = site.ephemeris(values)?;
+    let weather = |time: f64| weather_at(at.file, signals, values, time);
+    let day = match values[site.day] {
+        true => Some(parameters_site::day(weather, ephemeris.as_ref(), at.time)?),
+        false => None,
+    };
+    Ok(Place {
+        azimuth: site.azimuth(values, at.resources, &line)?,
+        shade: site.body(values)?,
+        ephemeris,
+        day,
+        line,
+    })
 }
 
 /// The weather file, if there is one.
@@ -281,6 +308,7 @@ fn begin_field(
     values: &Values,
     start_time: f64,
     model: &Heat,
+    log: &mut Log,
 ) -> Result<Option<FieldFile>, ModelError> {
     let path = &values[signals.parameters.field_file];
     if path.is_empty() {
@@ -296,7 +324,12 @@ fn begin_field(
         let sentence = format!("field_interval = {interval}: must be greater than zero");
         return Err(ModelError::new(sentence));
     }
-    FieldFile::create(Path::new(path), interval, start_time, model)
-        .map(Some)
-        .map_err(ModelError::from_error)
+    match FieldFile::create(Path::new(path), interval, start_time, model) {
+        Ok(file) => Ok(Some(file)),
+        Err(error) if failure == "go_on" => {
+            log.warning(format!("{error}; the run goes on without writing the field"));
+            Ok(None)
+        }
+        Err(error) => Err(ModelError::from_error(error)),
+    }
 }

@@ -44,6 +44,7 @@ pub mod material;
 pub mod paper;
 mod parameters;
 mod parameters_energy;
+mod parameters_site;
 pub mod rail;
 pub mod section;
 mod signals;

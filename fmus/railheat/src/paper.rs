@@ -145,7 +145,7 @@ impl Paper {
             self.pass(wheels, done, 1.0);
         }
         for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
-            *position = Some(wheel.position);
+            *position = wheel.place();
         }
         self.stray(wheels)
     }

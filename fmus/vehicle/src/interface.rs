@@ -2,23 +2,23 @@
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
 use stock::Library;
-use track::Track;
 
 use crate::dynamics::{Dynamics, State};
 use crate::inputs::Inputs;
+use crate::line::Line;
 use crate::signals::Signals;
-use crate::structure::{Structure, multibody};
-
-/// Longest step of the integration, s; longer intervals are divided into equal steps.
-pub const LONGEST_STEP: f64 = 1e-3;
+use crate::structure::{LONGEST_STEP, Structure, multibody};
+use crate::wheel::Standing;
+use crate::wheel_output::WheelOutput;
 
 /// A railway vehicle in three dimensions.
 pub struct Vehicle {
     dynamics: Dynamics,
+    /// How each wheel stood when it was last reported.
+    reported: Vec<[Standing; 2]>,
 }
 
 impl Model for Vehicle {
@@ -49,15 +49,15 @@ impl Model for Vehicle {
         log: &mut Log,
     ) -> Result<Self, ModelError> {
         let vehicle = read_vehicle(resources, &values[signals.vehicle_file])?;
-        let structure = Structure::new(&vehicle).map_err(ModelError::from_error)?;
+        let structure = Structure::shared(&vehicle).map_err(ModelError::from_error)?;
         check_shape(&structure, signals, &vehicle.name)?;
         let track_file = file(resources, &values[signals.track_file], "track.toml");
-        let track = Track::from_file(&track_file).map_err(ModelError::from_error)?;
+        let line = Line::shared(&track_file).map_err(ModelError::from_error)?;
         let inputs = checked(signals.read(values))?;
         let position = finite("initial.position", values[signals.initial_position])?;
         let velocity = finite("initial.velocity", values[signals.initial_velocity])?;
 
-        let mut dynamics = Dynamics::new(Arc::new(structure), Arc::new(track));
+        let mut dynamics = Dynamics::new(structure, line);
         let equilibrium = dynamics.start(position, velocity, &inputs);
         if !equilibrium.reached {
             log.warning(format!(
@@ -66,8 +66,10 @@ impl Model for Vehicle {
                 equilibrium.residual
             ));
         }
-        let vehicle = Self { dynamics };
-        vehicle.check_on_track()?;
+        let mut vehicle =
+            Self { reported: vec![[Standing::OnRail; 2]; dynamics.wheels.len()], dynamics };
+        vehicle.check_numbers()?;
+        vehicle.report_wheels(log);
         vehicle.write_outputs(signals, values);
         Ok(vehicle)
     }
@@ -77,14 +79,15 @@ impl Model for Vehicle {
         signals: &Signals,
         values: &mut Values,
         interval: Interval,
-        _log: &mut Log,
+        log: &mut Log,
     ) -> Result<(), ModelError> {
         let inputs = checked(signals.read(values))?;
-        let steps = steps(interval.length);
+        let steps = steps(interval.length, self.dynamics.structure.longest_step);
         for _ in 0..steps {
             self.dynamics.step(interval.length / f64::from(steps), &inputs);
         }
-        self.check_on_track()?;
+        self.check_numbers()?;
+        self.report_wheels(log);
         self.write_outputs(signals, values);
         Ok(())
     }
@@ -99,20 +102,45 @@ impl Model for Vehicle {
 }
 
 impl Vehicle {
-    /// A wheel that has left the profiles is the end of the run.
-    fn check_on_track(&self) -> Result<(), ModelError> {
+    /// A number that is none is the end of the run.
+    fn check_numbers(&self) -> Result<(), ModelError> {
         let dynamics = &self.dynamics;
-        let derailed = |wheels: &&[crate::wheelset::WheelOutput; 2]| {
-            wheels.iter().any(|wheel| wheel.derailed || wheel.normal.is_nan())
+        let broken = |wheels: &[WheelOutput; 2]| {
+            wheels.iter().any(|wheel| !(wheel.normal + wheel.friction_power).is_finite())
         };
-        match dynamics.wheels.iter().position(|wheels| derailed(&wheels)) {
-            None => Ok(()),
-            Some(i) => Err(ModelError::new(format!(
-                "wheelset[{}] has left the rails at chainage {:.2} m and {:.2} m/s",
-                i + 1,
-                dynamics.position(),
+        let position = dynamics.position();
+        match dynamics.wheels.iter().position(broken) {
+            None if position.is_finite() => Ok(()),
+            found => Err(ModelError::new(format!(
+                "the motion has no finite numbers any more (wheelset[{}], chainage {position:.2} m, \
+                 {:.2} m/s): look for forces that are far too large, or an unstable element",
+                found.map_or(1, |i| i + 1),
                 dynamics.velocity()
             ))),
+        }
+    }
+
+    /// Tells when a wheel loses its contact, leaves the profiles or is back.
+    fn report_wheels(&mut self, log: &mut Log) {
+        let dynamics = &self.dynamics;
+        for (i, (wheels, before)) in dynamics.wheels.iter().zip(&mut self.reported).enumerate() {
+            for ((wheel, before), side) in wheels.iter().zip(before).zip(["left", "right"]) {
+                if wheel.standing == *before {
+                    continue;
+                }
+                *before = wheel.standing;
+                let what = match wheel.standing {
+                    Standing::OnRail => "is back on its rail",
+                    Standing::Lifted => "has lost contact with its rail",
+                    Standing::Derailed => "has left the rail: it climbed over it or fell off it",
+                };
+                log.warning(format!(
+                    "wheelset[{}].{side} {what} at chainage {:.2} m and {:.2} m/s",
+                    i + 1,
+                    dynamics.position(),
+                    dynamics.velocity()
+                ));
+            }
         }
     }
 
@@ -137,6 +165,10 @@ impl Vehicle {
                 values[handles.a] = wheel.a;
                 values[handles.b] = wheel.b;
                 values[handles.rail_lateral] = wheel.rail_lateral;
+                values[handles.standing] = f64::from(wheel.standing as u8);
+                for (handles, patch) in handles.patches.iter().zip(&wheel.patches) {
+                    handles.write(patch, values);
+                }
             }
         }
         for (handles, state) in signals.bodies.iter().zip(&dynamics.state.bodies) {
@@ -166,10 +198,10 @@ impl Vehicle {
     }
 }
 
-/// Number of equal steps in an interval, each at most [`LONGEST_STEP`] long.
-fn steps(length: f64) -> u32 {
+/// Number of equal steps in an interval, each at most `longest` long.
+fn steps(length: f64, longest: f64) -> u32 {
     // An interval of 1 ms computed from two times may be longer by rounding.
-    (length / LONGEST_STEP - 1e-6).ceil().max(1.0) as u32
+    (length / longest - 1e-6).ceil().max(1.0) as u32
 }
 
 /// The file a parameter names; empty: the file of this name in the FMU's resources.

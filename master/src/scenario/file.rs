@@ -7,6 +7,8 @@ use garde::Validate;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::heat::Heat;
+
 /// What is run: the train on its track, how it is driven, what is computed and recorded.
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields)]
@@ -188,76 +190,6 @@ impl Default for Synchronisation {
     }
 }
 
-/// Rail heat.
-#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
-#[serde(deny_unknown_fields)]
-pub struct Heat {
-    /// Heat model of the rail-heat FMU: `paper`, or `energy`, which conserves heat.
-    #[serde(default = "default_heat_model")]
-    #[garde(length(min = 1))]
-    pub model: String,
-    /// Which rail is heated.
-    #[serde(default)]
-    #[garde(skip)]
-    pub rail: Rail,
-    /// Step of the exchange with the rail, s: a multiple of the scenario's `step_s`; what the
-    /// wheels do in between is averaged.
-    #[garde(range(min = 1e-6, max = 10.0))]
-    pub step_s: Option<f64>,
-    /// Chainage at which the modelled rail begins, m; left out: behind the tail of the train.
-    #[garde(skip)]
-    pub begin_m: Option<f64>,
-    /// Length of the modelled rail, m; left out: as far as the leading vehicle may come.
-    #[garde(range(min = 1.0, max = 1e6))]
-    pub length_m: Option<f64>,
-    /// Time between two records of the temperature field, s.
-    #[serde(default = "default_field_interval")]
-    #[garde(range(min = 0.01, max = 1e6))]
-    pub field_interval_s: f64,
-    /// Depths below the crown at which the highest rise is given, mm.
-    #[serde(default = "default_depths")]
-    #[garde(inner(range(min = 0.0, max = 200.0)))]
-    pub depths_mm: Vec<f64>,
-    /// Places whose temperature is recorded.
-    #[serde(default)]
-    #[garde(dive)]
-    pub probe: Vec<Probe>,
-    /// Further Real parameters of the rail-heat FMU by name.
-    #[serde(default)]
-    #[garde(skip)]
-    pub parameters: BTreeMap<String, f64>,
-}
-
-/// One of the two rails, seen in the running direction.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Rail {
-    /// The left rail (the paper's).
-    #[default]
-    Left,
-    /// The right rail.
-    Right,
-}
-
-impl Rail {
-    /// The word in signal names.
-    pub fn side(self) -> &'static str {
-        match self {
-            Self::Left => "left",
-            Self::Right => "right",
-        }
-    }
-}
-
-/// A place on the rail.
-#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
-#[serde(deny_unknown_fields)]
-pub struct Probe {
-    /// Chainage, m.
-    #[garde(range(min = -1e7, max = 1e7))]
-    pub chainage_m: f64,
-}
-
 /// FMUs that replace Hotfoot's own.
 #[derive(Debug, Clone, Default, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields, default)]
@@ -274,6 +206,10 @@ pub struct Fmus {
     /// For single vehicles.
     #[garde(dive)]
     pub vehicle_at: Vec<VehicleReplacement>,
+    /// Whether a step that an FMU discards is tried again in up to 16 parts, from the state before
+    /// it; costs a saved state of every FMU in each step.
+    #[garde(skip)]
+    pub retry_discarded_steps: bool,
 }
 
 /// An FMU for one vehicle.
@@ -325,18 +261,6 @@ fn default_stock() -> PathBuf {
 
 fn one() -> usize {
     1
-}
-
-fn default_heat_model() -> String {
-    "paper".to_owned()
-}
-
-fn default_field_interval() -> f64 {
-    10.0
-}
-
-fn default_depths() -> Vec<f64> {
-    vec![20.0, 60.0]
 }
 
 impl Scenario {

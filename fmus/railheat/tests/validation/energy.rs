@@ -4,6 +4,7 @@ use railheat::energy::model::Energy;
 use railheat::energy::parameters::{Line, Parameters, Resolution, Start};
 use railheat::energy::sun::Sun;
 use railheat::energy::weather::{Exchange, Weather};
+use railheat::energy::wheels::WheelHeat;
 use railheat::wheels::Wheel;
 
 use crate::common::SPEED;
@@ -247,6 +248,30 @@ fn property_second_order_in_the_interval() {
     assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.2), "{orders:?}");
 }
 
+/// A train that comes a second time leaves the same heat where it passes and none on its way back:
+/// between two trains the wheels are absent, and come with their speed and the temperature of the start.
+/// Friction to rounding; the chill of the second train meets a rail warmed by the first, less than 1 %.
+#[test]
+fn property_a_second_train_leaves_what_the_first_left() {
+    let base = parameters(outline("60E1"), Resolution::Column, 0.012);
+    let heat = WheelHeat { contact_quality: 1.0, initial_rise: 20.0, ..base.wheel };
+    let mut model = energy(Parameters { wheel: heat, ..base }, &[1], &NIGHT);
+    let (speed, steps, length) = (5.0, 16, 0.1);
+    let passes =
+        |begin: f64| move |time: f64| vec![Wheel { speed, ..wheel(6.0 + speed * (time - begin)) }];
+    run(&mut model, &NIGHT, passes(0.0), 0.0, steps, length);
+    let first = model.sources_per_metre(100);
+    let begin = 1.6 + 600.0;
+    run(&mut model, &NIGHT, |_| vec![Wheel::default()], 1.6, 60, 10.0);
+    assert_eq!(model.wheel_temperatures(), [NIGHT.ambient + 20.0]);
+    run(&mut model, &NIGHT, passes(begin), begin, steps, length);
+    let both = model.sources_per_metre(100);
+    assert!((both.friction / first.friction - 2.0).abs() < 1e-11, "{first:?}, {both:?}");
+    assert!((both.chill / first.chill - 2.0).abs() < 0.01, "{first:?}, {both:?}");
+    let before = model.sources_per_metre(30);
+    assert_eq!(before.total(), 0.0, "no wheel was there");
+}
+
 /// Rail in equilibrium with any weather stays as it is: nothing exchanged, nothing risen, to the last bit
 /// where no wheel is.
 #[test]
@@ -270,7 +295,8 @@ fn analytic_lumped_cooling() {
     let base = parameters(outline("AS60"), Resolution::Plane, 0.012);
     let start = Start::Uniform(350.0);
     let exchange = Exchange { emissivity: 0.75, ..INSULATED };
-    let mut model = energy(Parameters { exchange, start, ..base.clone() }, &[1], &cold);
+    let warm = base.clone();
+    let mut model = energy(Parameters { exchange, start: start.clone(), ..warm }, &[1], &cold);
     let sigma = 5.670_374_419e-8;
     let time =
         capacity / (3.0 * 0.75 * sigma * perimeter) * (300.0_f64.powi(-3) - 350.0_f64.powi(-3));

@@ -1,0 +1,31 @@
+//! The program `hotfoot-tools`, which `hotfoot` starts for its engineering commands.
+
+use clap::{Parser, Subcommand};
+use tools::{critical_speed, modes};
+
+/// Engineering commands of Hotfoot that ask a model directly.
+#[derive(Parser)]
+#[command(version, bin_name = "hotfoot")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Natural frequencies, damping and shapes of a vehicle on its suspension
+    Modes(modes::ModesArguments),
+    /// Speed at which a vehicle on straight track becomes unstable
+    CriticalSpeed(critical_speed::CriticalSpeedArguments),
+}
+
+fn main() -> miette::Result<()> {
+    // Wrapped lines would break the names of files.
+    miette::set_hook(Box::new(|_| {
+        Box::new(miette::MietteHandlerOpts::new().wrap_lines(false).build())
+    }))?;
+    match Arguments::parse().command {
+        Command::Modes(arguments) => modes::modes(&arguments),
+        Command::CriticalSpeed(arguments) => critical_speed::critical_speed(&arguments),
+    }
+}
