@@ -20,6 +20,8 @@ pub struct Train {
     pub unit: Box<dyn Unit>,
     /// Position and speed at the start.
     pub start: Port,
+    /// Inputs that keep a value for the whole run, such as the wind: references and values.
+    pub constants: Vec<(u32, f64)>,
     /// Outputs at the last communication point.
     pub outputs: Port,
 }

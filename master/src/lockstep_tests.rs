@@ -45,7 +45,7 @@ fn train(calls: &Calls) -> Train {
     });
     let start = port(&unit, &signals.parameters, "parameter");
     let outputs = port(&unit, &signals.outputs, "output");
-    Train { unit: Box::new(unit), start, outputs }
+    Train { unit: Box::new(unit), start, constants: vec![], outputs }
 }
 
 /// A vehicle's position is the time, that of its wheelset the force that it got; its wheels'
@@ -166,6 +166,17 @@ fn a_slower_rail_gets_means_and_the_last_position() {
     assert_eq!(steps, ["rail step 0.000", "rail step 1.000"]);
 }
 
+#[test]
+fn the_rail_gets_the_brake_heat_that_the_train_tells() {
+    let (mut lockstep, _) = lockstep(Scheme::Sequential, 2);
+    run(&mut lockstep, 4);
+    let rail = &lockstep.rails[0];
+    let heat = |vehicle: usize| {
+        rail.inputs.values[vehicle * rail_input::NAMES.len() + rail_input::BRAKE_POWER]
+    };
+    assert_eq!([heat(0), heat(1)], [17.5, 1017.5], "means of the steps that end at 1.5 and 2 s");
+}
+
 /// A rail of 2 exchange steps a step: what it got in the run comes again from the tape; alone all
 /// inputs are zero.
 #[test]
@@ -186,17 +197,6 @@ fn a_train_comes_again_as_it_was_and_alone_there_is_none() {
     assert_eq!(rail.inputs.values, of_last_step);
     let end = rail.step_again(14.0, 1.0).unwrap_err().to_string();
     assert!(end.contains("left rail") && end.contains("further trains"), "{end}");
-}
-
-#[test]
-fn the_rail_gets_the_brake_heat_that_the_train_tells() {
-    let (mut lockstep, _) = lockstep(Scheme::Sequential, 2);
-    run(&mut lockstep, 4);
-    let rail = &lockstep.rails[0];
-    let heat = |vehicle: usize| {
-        rail.inputs.values[vehicle * rail_input::NAMES.len() + rail_input::BRAKE_POWER]
-    };
-    assert_eq!([heat(0), heat(1)], [17.5, 1017.5], "means of the steps that end at 1.5 and 2 s");
 }
 
 /// FMI 2.0 §4.2.4: in stepping, no output is got after a set without a step in between.

@@ -132,20 +132,23 @@ impl Builder<'_> {
         let signals = roles::longitudinal_signals(self.scenario.vehicle_count());
         let ports = connect(&import, &signals, &BTreeMap::new(), "longitudinal")?;
         let mut unit = self.instance(&import, "train")?;
-        self.set_train_parameters(unit.as_mut())?;
-        Ok(Train { unit, start: ports.parameters, outputs: ports.outputs })
+        let constants = self.set_train(unit.as_mut())?;
+        Ok(Train { unit, start: ports.parameters, constants, outputs: ports.outputs })
     }
 
-    /// What the scenario says of couplers and wind; an FMU that does not know them is refused.
-    fn set_train_parameters(&self, unit: &mut dyn Unit) -> Result<(), UnitError> {
-        if let Some(couplers) = self.scenario.train.couplers {
-            unit.set_integer_parameter("initial.couplers", couplers as i32)?;
+    /// Sets what the scenario says of the couplers, and gives the inputs of the wind with their values;
+    /// an FMU that does not know them is refused.
+    fn set_train(&self, unit: &mut dyn Unit) -> Result<Vec<(u32, f64)>, UnitError> {
+        let train = &self.scenario.train;
+        if let Some(couplers) = train.couplers {
+            let reference = unit.reference("initial.couplers")?;
+            unit.set_integers(&[reference], &[couplers as i32])?;
         }
-        if let Some(wind) = &self.scenario.train.wind {
-            unit.set_real_parameter("wind.speed", wind.speed_m_per_s)?;
-            unit.set_real_parameter("wind.direction", wind.direction_deg.to_radians())?;
-        }
-        Ok(())
+        let Some(wind) = &train.wind else { return Ok(vec![]) };
+        Ok(vec![
+            (unit.reference("wind.speed")?, wind.speed_m_per_s),
+            (unit.reference("wind.direction")?, wind.direction_deg.to_radians()),
+        ])
     }
 
     fn vehicles(&self) -> Result<Vec<Vehicle>, PrepareError> {

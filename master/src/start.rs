@@ -49,6 +49,9 @@ impl Train {
     fn initialize(&mut self, values: Motion, start: f64, stop: f64) -> Result<(), UnitError> {
         set_start_values(&mut self.start, self.unit.as_mut(), values)?;
         self.unit.enter_initialization(start, stop)?;
+        for &(reference, value) in &self.constants {
+            self.unit.set_reals(&[reference], &[value])?;
+        }
         self.unit.exit_initialization()?;
         // Some FMUs compute their outputs only when the initialisation ends.
         self.outputs.get(self.unit.as_mut())

@@ -127,15 +127,6 @@ impl dyn Unit + '_ {
         self.set_reals(&[reference], &[value])
     }
 
-    /// Sets an Integer parameter by its name.
-    ///
-    /// # Errors
-    /// When the unit has no such variable or refuses the value.
-    pub fn set_integer_parameter(&mut self, name: &str, value: i32) -> Result<(), UnitError> {
-        let reference = self.reference(name)?;
-        self.set_integers(&[reference], &[value])
-    }
-
     /// Sets a String parameter by its name.
     ///
     /// # Errors
@@ -145,7 +136,11 @@ impl dyn Unit + '_ {
         self.set_text(reference, value)
     }
 
-    fn reference(&self, name: &str) -> Result<u32, UnitError> {
+    /// Value reference of a variable.
+    ///
+    /// # Errors
+    /// When the unit has no such variable.
+    pub fn reference(&self, name: &str) -> Result<u32, UnitError> {
         let variable = self.interface().variable(name);
         variable.map(|variable| variable.reference).ok_or_else(|| UnitError {
             instance: self.name().into(),

@@ -97,7 +97,9 @@ impl ConnectionSide {
         }
         let trial = before + self.locked_stiffness * moved;
         match &self.orifice {
-            None => trial.max(least).min(most),
+            None if trial < least => least,
+            None if trial > most => most,
+            None => trial,
             Some(orifice) => {
                 let cushion = orifice.value(beyond, &mut 0) * speed * speed;
                 match speed > 0.0 {

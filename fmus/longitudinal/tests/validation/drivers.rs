@@ -75,6 +75,13 @@ const SPEED_OF_A_HEAVY_TRAIN: &str =
 
 const SPEED: &str = "[speed]\nchainage_m = [0, 3000, 3500, 20000]\nkmh = [60, 60, 50, 50]\n";
 
+/// Prints root mean square and greatest error, km/h, and fails beyond their limits.
+fn are_within(case: &str, (rms, greatest): (f64, f64), limits: (f64, f64)) {
+    let value = format!("{rms:.2}, {greatest:.2} km/h");
+    bound(case, &format!("{}, {} km/h", limits.0, limits.1), &value);
+    assert!(rms < limits.0 && greatest < limits.1, "{case}: {value}");
+}
+
 /// The limits are bounds of good driving, not of a closed form: without control the speed changes by
 /// far more, which the last line checks.
 #[test]
@@ -86,10 +93,8 @@ fn property_drivers_keep_to_a_speed_profile_over_a_rolling_line() {
     ];
     for (name, text, rms, greatest) in cases {
         let errors = speed_errors(ROLLING, 30, &format!("{SPEED}{text}"));
-        let value = format!("{:.2}, {:.2} km/h", errors.0, errors.1);
-        let limits = format!("{rms}, {greatest} km/h");
-        bound(&format!("rms and greatest error of the speed by {name}"), &limits, &value);
-        assert!(errors.0 < rms && errors.1 < greatest, "{name}: {errors:?}");
+        let case = format!("rms and greatest error of the speed by {name}");
+        are_within(&case, errors, (rms, greatest));
     }
     let text = format!(
         "{SPEED}[cruise]\nproportional_per_s = 0\nintegral_per_s2 = 0\n[levers]\nnotch_interval_s = 60\n\
@@ -114,11 +119,8 @@ fn property_drivers_keep_to_a_speed_profile_with_a_heavy_train() {
     ];
     for (name, text, rms, greatest) in cases {
         let errors = speed_errors(GENTLE, 128, &format!("{SPEED_OF_A_HEAVY_TRAIN}{text}"));
-        let value = format!("{:.2}, {:.2} km/h", errors.0, errors.1);
-        let limits = format!("{rms}, {greatest} km/h");
         let case = format!("rms and greatest error of the speed of 130 vehicles by {name}");
-        bound(&case, &limits, &value);
-        assert!(errors.0 < rms && errors.1 < greatest, "{name}: {errors:?}");
+        are_within(&case, errors, (rms, greatest));
     }
 }
 
