@@ -28,7 +28,7 @@
 //! | `checks.rs` | what makes no sense is refused in words |
 //! | `field_file.rs` | when a snapshot of the field is written |
 //!
-//! Equations are numbered in `docs/theory/railheat.md`, which also lists where the paper's text
+//! Equations are numbered in `docs/theory/railheat`, which also lists where the paper's text
 //! leaves a choice, and what the model is known to get wrong. All values are in SI units;
 //! temperatures of the rail are rises above its initial temperature.
 
