@@ -165,7 +165,8 @@ impl Lockstep {
     /// Hands the wheels' outputs to the rails.
     pub fn pass_wheels(&mut self) {
         for rail in &mut self.rails {
-            rail.take(self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice()));
+            let outputs = self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice());
+            rail.take(outputs.zip(self.train.blocks()));
         }
     }
 }

@@ -27,12 +27,12 @@ pub(crate) fn set_parameter(
         wrong(format!("{file} has no such variable; `hotfoot interface {file}` lists them"))
     })?;
     let Variable { reference, kind, causality, .. } = variable;
-    match (causality.as_str(), kind, value) {
-        ("input", VariableType::Real, value) if value.number().is_some() => {
-            return Ok(value.number().map(|number| (reference, number)));
-        }
-        ("parameter", _, _) => {}
-        _ => return Err(wrong(format!("it is no parameter but {causality} of {file}"))),
+    if let ("input", VariableType::Real, Some(number)) = (causality.as_str(), kind, value.number())
+    {
+        return Ok(Some((reference, number)));
+    }
+    if causality != "parameter" {
+        return Err(wrong(format!("it is no parameter but {causality} of {file}")));
     }
     match (kind, value, value.number()) {
         (VariableType::Real, _, Some(number)) => unit.set_reals(&[reference], &[number])?,

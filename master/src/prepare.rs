@@ -14,7 +14,7 @@ use crate::parameters::set_parameter;
 use crate::port::{Port, Signal};
 use crate::resources::{self, Origins};
 use crate::roles::{self, RoleSignals, wheelset_count};
-use crate::scenario::{Scenario, VehicleReplacement};
+use crate::scenario::{Scenario, Value, VehicleReplacement};
 use crate::times::StepTimes;
 use crate::unit::{Unit, UnitError};
 
@@ -131,8 +131,21 @@ impl Builder<'_> {
         };
         let signals = roles::longitudinal_signals(self.scenario.vehicle_count());
         let ports = connect(&import, &signals, &BTreeMap::new(), "longitudinal")?;
-        let unit = self.instance(&import, "train")?;
+        let mut unit = self.instance(&import, "train")?;
+        self.set_train_parameters(unit.as_mut())?;
         Ok(Train { unit, start: ports.parameters, outputs: ports.outputs })
+    }
+
+    /// What the scenario says of couplers and wind; an FMU that does not know them is refused.
+    fn set_train_parameters(&self, unit: &mut dyn Unit) -> Result<(), UnitError> {
+        if let Some(couplers) = self.scenario.train.couplers {
+            unit.set_integer_parameter("initial.couplers", couplers as i32)?;
+        }
+        if let Some(wind) = &self.scenario.train.wind {
+            unit.set_real_parameter("wind.speed", wind.speed_m_per_s)?;
+            unit.set_real_parameter("wind.direction", wind.direction_deg.to_radians())?;
+        }
+        Ok(())
     }
 
     fn vehicles(&self) -> Result<Vec<Vehicle>, PrepareError> {
@@ -158,11 +171,13 @@ impl Builder<'_> {
                         import
                     }
                 };
-                vehicles.push(self.vehicle(
-                    &import,
-                    place,
-                    replacement.map(|(other, _)| *other),
-                )?);
+                let nothing = (&BTreeMap::new(), &BTreeMap::new());
+                let (names, parameters) = match (replacement, &common) {
+                    (Some((other, _)), _) => (&other.names, &other.parameters),
+                    (None, Some(_)) => (&self.scenario.fmus.vehicle_names, nothing.1),
+                    (None, None) => nothing,
+                };
+                vehicles.push(self.vehicle(&import, place, names, parameters)?);
             }
         }
         Ok(vehicles)
@@ -190,14 +205,14 @@ impl Builder<'_> {
         &self,
         import: &Arc<Import>,
         place: usize,
-        replacement: Option<&VehicleReplacement>,
+        names: &BTreeMap<String, String>,
+        parameters: &BTreeMap<String, Value>,
     ) -> Result<Vehicle, PrepareError> {
-        let names = replacement.map(|other| other.names.clone()).unwrap_or_default();
-        let signals = roles::vehicle_signals(wheelset_count(import.interface(), &names));
-        let ports = connect(import, &signals, &names, "vehicle")?;
+        let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
+        let ports = connect(import, &signals, names, "vehicle")?;
         let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
         let mut constants = vec![];
-        for (name, value) in replacement.into_iter().flat_map(|other| &other.parameters) {
+        for (name, value) in parameters {
             constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
         }
         Ok(Vehicle {

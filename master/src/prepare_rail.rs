@@ -14,6 +14,10 @@ use crate::scenario::{Heat, Scenario};
 use crate::tape::Tape;
 use crate::unit::{Unit, UnitError};
 
+/// Place of each rail to the right of the track's middle on standard gauge, m: half of 1435 mm and of
+/// a head of 72 mm.
+const LATERAL_POSITION: [f64; 2] = [-0.7535, 0.7535];
+
 impl Builder<'_> {
     /// A unit for each heated rail.
     pub(crate) fn rails(
@@ -25,7 +29,7 @@ impl Builder<'_> {
         let import = match &self.scenario.fmus.railheat {
             Some(file) => Import::open(file)?,
             None => self.packed("railheat", "rail", |folder| {
-                resources::write_railheat(heat, &wheelsets, folder)
+                resources::write_railheat(self.scenario, heat, &wheelsets, folder)
             })?,
         };
         let sides = heat.rail.sides();
@@ -81,12 +85,13 @@ impl Builder<'_> {
             ("track.length", extent.length),
             ("field_interval", heat.field_interval_s),
             ("detection.threshold", 1e-3 * heat.detection_threshold_mk),
+            ("rail.lateral_position", LATERAL_POSITION[side]),
         ] {
             if unit.interface().variable(name).is_some() {
                 unit.set_real_parameter(name, value)?;
             }
         }
-        let field_file = self.folders.results.join(field_file(heat.rail.sides(), side));
+        let field_file = self.folders.results.join(field_file(heat, side));
         let field_file = field_file.to_string_lossy();
         for (name, value) in [
             ("field_file", &*field_file),
@@ -101,9 +106,9 @@ impl Builder<'_> {
     }
 }
 
-/// Name of the field's store of a rail among the heated ones.
-pub(crate) fn field_file(sides: &[usize], side: usize) -> String {
-    match sides {
+/// Name of the store with the field of a rail.
+pub(crate) fn field_file(heat: &Heat, side: usize) -> String {
+    match heat.rail.sides() {
         [_] => "rail.zarr".to_owned(),
         _ => format!("rail-{}.zarr", SIDES[side]),
     }

@@ -63,12 +63,13 @@ pub fn parameter_file(parameter: &str, file: &Path) -> PathBuf {
     Path::new("parameters").join(parameter).join(file.file_name().unwrap_or_default())
 }
 
-/// Writes the resources of the rail: what shapes its interface, and the files that its
-/// parameters name.
+/// Writes the resources of the rail: what shapes its interface, the track, whose curves turn the
+/// rail in the sun, and the files that its parameters name.
 ///
 /// # Errors
 /// When a file cannot be read or written.
 pub fn write_railheat(
+    scenario: &Scenario,
     heat: &Heat,
     wheelsets: &[usize],
     folder: &Path,
@@ -85,7 +86,8 @@ pub fn write_railheat(
         probe: &heat.probe,
     };
     write(&folder.join("railheat.toml"), to_toml(&file).as_bytes())?;
-    let mut origins = Origins::default();
+    copy_file(&scenario.track.file, &folder.join("track.toml"))?;
+    let mut origins = Origins(vec![("track.toml".to_owned(), scenario.track.file.clone())]);
     for (name, value) in &heat.parameters {
         if let Value::File(original) = value {
             let copy = parameter_file(name, original);

@@ -50,6 +50,7 @@ impl Train {
         set_start_values(&mut self.start, self.unit.as_mut(), values)?;
         self.unit.enter_initialization(start, stop)?;
         self.unit.exit_initialization()?;
+        // Some FMUs compute their outputs only when the initialisation ends.
         self.outputs.get(self.unit.as_mut())
     }
 }
