@@ -32,6 +32,8 @@ pub struct Vehicle {
     pub start: Port,
     /// Forces of the step, [`vehicle_input::NAMES`].
     pub inputs: Port,
+    /// Inputs that keep a value throughout: reference and value.
+    pub constants: Vec<(u32, f64)>,
     /// Outputs at the last communication point, laid out as [`vehicle_output`] says.
     pub outputs: Port,
     /// Keeps it at its place in the train.
@@ -163,7 +165,8 @@ impl Lockstep {
     /// Hands the wheels' outputs to the rails.
     pub fn pass_wheels(&mut self) {
         for rail in &mut self.rails {
-            rail.take(self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice()));
+            let outputs = self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice());
+            rail.take(outputs.zip(self.train.blocks()));
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::mock::Mock;
 use crate::port::{Port, Signal};
 use crate::rail::Rail;
-use crate::roles::{self, vehicle_input, vehicle_output};
+use crate::roles::{self, rail_input, vehicle_input, vehicle_output};
 use crate::scenario::Scheme;
 use crate::tape::Tape;
 use crate::unit::Unit;
@@ -29,7 +29,8 @@ fn port(unit: &dyn Unit, signals: &[Signal], causality: &str) -> Port {
     Port::connect(unit.interface(), signals, causality, &BTreeMap::new()).unwrap()
 }
 
-/// The train's coupler forces are the time at the end of the step, plus 100 for each place.
+/// The train's coupler forces are the time at the end of the step, plus 100 for each place; the heat
+/// of its brakes is ten times that.
 fn train(calls: &Calls) -> Train {
     let signals = roles::longitudinal_signals(VEHICLES);
     let variables: Vec<_> =
@@ -37,8 +38,9 @@ fn train(calls: &Calls) -> Train {
     let block = roles::train::NAMES.len();
     let unit = Mock::new("train", &variables, calls, move |values, time, length| {
         for place in 0..VEHICLES {
-            values[place * block + roles::train::COUPLER_FRONT] =
-                time + length + 100.0 * place as f64;
+            let value = time + length + 100.0 * place as f64;
+            values[place * block + roles::train::COUPLER_FRONT] = value;
+            values[place * block + roles::train::WHEEL_BRAKE_POWER] = 10.0 * value;
         }
     });
     let start = port(&unit, &signals.parameters, "parameter");
@@ -68,6 +70,7 @@ fn vehicle(place: usize, calls: &Calls) -> Vehicle {
     let limit = f64::INFINITY;
     let gains = Gains { proportional: KP, integral: 0.0, derivative: 0.0, limit };
     Vehicle {
+        constants: vec![],
         unit: Box::new(unit),
         start,
         inputs,
@@ -183,6 +186,17 @@ fn a_train_comes_again_as_it_was_and_alone_there_is_none() {
     assert_eq!(rail.inputs.values, of_last_step);
     let end = rail.step_again(14.0, 1.0).unwrap_err().to_string();
     assert!(end.contains("left rail") && end.contains("further trains"), "{end}");
+}
+
+#[test]
+fn the_rail_gets_the_brake_heat_that_the_train_tells() {
+    let (mut lockstep, _) = lockstep(Scheme::Sequential, 2);
+    run(&mut lockstep, 4);
+    let rail = &lockstep.rails[0];
+    let heat = |vehicle: usize| {
+        rail.inputs.values[vehicle * rail_input::NAMES.len() + rail_input::BRAKE_POWER]
+    };
+    assert_eq!([heat(0), heat(1)], [17.5, 1017.5], "means of the steps that end at 1.5 and 2 s");
 }
 
 /// FMI 2.0 §4.2.4: in stepping, no output is got after a set without a step in between.

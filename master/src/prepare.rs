@@ -10,6 +10,7 @@ use controller::{Controller, Gains};
 use crate::fmi::{FmuInstance, Import, ImportError};
 use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::pack::{Binary, PackError, pack};
+use crate::parameters::set_parameter;
 use crate::port::{Port, Signal};
 use crate::resources::{self, Origins};
 use crate::roles::{self, RoleSignals, wheelset_count};
@@ -130,8 +131,21 @@ impl Builder<'_> {
         };
         let signals = roles::longitudinal_signals(self.scenario.vehicle_count());
         let ports = connect(&import, &signals, &BTreeMap::new(), "longitudinal")?;
-        let unit = self.instance(&import, "train")?;
+        let mut unit = self.instance(&import, "train")?;
+        self.set_train_parameters(unit.as_mut())?;
         Ok(Train { unit, start: ports.parameters, outputs: ports.outputs })
+    }
+
+    /// What the scenario says of couplers and wind; an FMU that does not know them is refused.
+    fn set_train_parameters(&self, unit: &mut dyn Unit) -> Result<(), UnitError> {
+        if let Some(couplers) = self.scenario.train.couplers {
+            unit.set_integer_parameter("initial.couplers", couplers as i32)?;
+        }
+        if let Some(wind) = &self.scenario.train.wind {
+            unit.set_real_parameter("wind.speed", wind.speed_m_per_s)?;
+            unit.set_real_parameter("wind.direction", wind.direction_deg.to_radians())?;
+        }
+        Ok(())
     }
 
     fn vehicles(&self) -> Result<Vec<Vehicle>, PrepareError> {
@@ -157,8 +171,11 @@ impl Builder<'_> {
                         import
                     }
                 };
-                let names = replacement.map(|(other, _)| other.names.clone()).unwrap_or_default();
-                vehicles.push(self.vehicle(&import, place, &names)?);
+                vehicles.push(self.vehicle(
+                    &import,
+                    place,
+                    replacement.map(|(other, _)| *other),
+                )?);
             }
         }
         Ok(vehicles)
@@ -186,13 +203,19 @@ impl Builder<'_> {
         &self,
         import: &Arc<Import>,
         place: usize,
-        names: &BTreeMap<String, String>,
+        replacement: Option<&VehicleReplacement>,
     ) -> Result<Vehicle, PrepareError> {
-        let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
-        let ports = connect(import, &signals, names, "vehicle")?;
-        let unit = self.instance(import, &format!("vehicle[{place}]"))?;
+        let names = replacement.map(|other| other.names.clone()).unwrap_or_default();
+        let signals = roles::vehicle_signals(wheelset_count(import.interface(), &names));
+        let ports = connect(import, &signals, &names, "vehicle")?;
+        let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
+        let mut constants = vec![];
+        for (name, value) in replacement.into_iter().flat_map(|other| &other.parameters) {
+            constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
+        }
         Ok(Vehicle {
             unit,
+            constants,
             start: ports.parameters,
             inputs: ports.inputs,
             outputs: ports.outputs,

@@ -127,6 +127,15 @@ impl dyn Unit + '_ {
         self.set_reals(&[reference], &[value])
     }
 
+    /// Sets an Integer parameter by its name.
+    ///
+    /// # Errors
+    /// When the unit has no such variable or refuses the value.
+    pub fn set_integer_parameter(&mut self, name: &str, value: i32) -> Result<(), UnitError> {
+        let reference = self.reference(name)?;
+        self.set_integers(&[reference], &[value])
+    }
+
     /// Sets a String parameter by its name.
     ///
     /// # Errors

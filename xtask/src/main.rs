@@ -5,7 +5,7 @@
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
 //! | `foot_study.rs` | the runs of the foot study, its table and expected figures |
 //! | `test.rs` | the whole test run |
-//! | `python.rs` | the Python environment of the FMPy tests |
+//! | `python.rs` | the Python environment of the FMPy tests, which has libclang too |
 //! | `shell.rs` | running commands |
 
 mod fmus;

@@ -282,6 +282,11 @@ impl Exporter<'_> {
                         (&name, &rail.inputs, block + input),
                     ));
                 }
+                let brake_power = i * train::NAMES.len() + train::WHEEL_BRAKE_POWER;
+                connections.extend(connection(
+                    (TRAIN, &self.lockstep.train.outputs, brake_power),
+                    (&name, &rail.inputs, block + rail_input::BRAKE_POWER),
+                ));
                 block += rail_input::NAMES.len();
             }
         }

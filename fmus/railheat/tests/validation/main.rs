@@ -16,4 +16,5 @@ mod flash;
 mod paper;
 mod section;
 mod site;
+mod staircase;
 mod weather;
