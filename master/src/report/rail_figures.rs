@@ -118,7 +118,10 @@ impl RailSeries<'_> {
         let found = |key: &str, what: &str, column: &str| {
             let part = |part: &str| self.last(&format!("{column}.{part}"));
             let figure = self.figure(key, what, part("rise")?, KELVIN);
-            Ok::<_, RecordingError>(figure.on_track(part("chainage")?, part("time")?))
+            if figure.value.is_some_and(|rise| rise > 0.0) {
+                return Ok::<_, RecordingError>(figure.on_track(part("chainage")?, part("time")?));
+            }
+            Ok(MainFigure { text: "no rise".to_owned(), ..figure })
         };
         Ok(vec![
             found("foot.highest", "Foot: highest rise over untouched rail", "foot.highest")?,
