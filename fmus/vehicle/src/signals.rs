@@ -3,6 +3,7 @@
 use fmu::{Declaration, Real, Text, Values, unit};
 
 use crate::inputs::Inputs;
+use crate::track_forces::TrackForceSignals;
 
 /// Handles of all variables.
 #[derive(Debug)]
@@ -39,6 +40,7 @@ pub(crate) struct WheelsetSignals {
     pub(crate) speed: Real,
     /// Left, right.
     pub(crate) wheels: [WheelSignals; 2],
+    pub(crate) track_forces: TrackForceSignals,
 }
 
 /// Handles of a wheel.
@@ -78,6 +80,8 @@ pub(crate) struct EnergySignals {
     pub(crate) suspension_heat: Real,
     pub(crate) friction_heat: Real,
     pub(crate) contact_heat: Real,
+    pub(crate) track_heat: Real,
+    pub(crate) irregularities: Real,
 }
 
 impl Signals {
@@ -206,6 +210,7 @@ impl WheelsetSignals {
                 )
                 .output(),
             wheels: ["left", "right"].map(|side| WheelSignals::declare(d, &name, side)),
+            track_forces: TrackForceSignals::declare(d, &name),
         }
     }
 }
@@ -297,6 +302,11 @@ impl EnergySignals {
             suspension_heat: output("heat.suspension", "Heat in the suspension since the start"),
             friction_heat: output("heat.friction", "Heat by creep since the start"),
             contact_heat: output("heat.contact", "Heat in the contacts' damping since the start"),
+            track_heat: output("heat.track", "Heat in the support of the rails since the start"),
+            irregularities: output(
+                "work.irregularities",
+                "Work of the irregularities, which move the rails, since the start",
+            ),
         }
     }
 }
