@@ -2,8 +2,7 @@
 //!
 //! With coordinates of unit inertia p = M^1/2 q, the state (dp/dt, f, p) follows
 //! -K p - C dp/dt - Σ b f, k (bᵀ dp/dt - f/c), and dp/dt. Coordinates that no spring acts on, such
-//! as the rotation of a rolling wheelset, are no part of p: they would only add eigenvalues of zero,
-//! at which the QR algorithm does not end.
+//! as the rotation of a rolling wheelset, are no part of p: they would only add eigenvalues of zero.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -70,16 +69,8 @@ impl System {
         Modes { oscillating, monotonic: monotonic.map(|value| value.re).collect() }
     }
 
-    /// The eigenvalue of the mode that dies away most slowly, or grows fastest, of those that
-    /// oscillate with more than `lowest` rad/s.
-    pub(super) fn least_stable(&self, lowest: f64) -> Option<Complex<f64>> {
-        let eigenvalues = self.first_order().complex_eigenvalues();
-        let oscillating = eigenvalues.iter().filter(|value| value.im > lowest);
-        oscillating.copied().max_by(|a, b| a.re.total_cmp(&b.re))
-    }
-
     /// Matrix of the first-order form in coordinates of unit inertia.
-    fn first_order(&self) -> DMatrix<f64> {
+    pub(super) fn first_order(&self) -> DMatrix<f64> {
         let (size, extra) = (self.inertia.len(), self.series.len());
         let (stiffness, damping) = (self.scaled(&self.stiffness), self.scaled(&self.damping));
         let held: Vec<usize> = (0..size).filter(|&j| stiffness.column(j).amax() > 0.0).collect();

@@ -20,8 +20,8 @@ use crate::structure::Structure;
 /// Vertical stiffness of a contact with what is below it, N/m, and its damping, N s/m.
 const VERTICAL: (f64, f64) = (0.2e9, 100e3);
 
-/// Lowest circular frequency of a mode that counts, rad/s: below, the vehicle only drifts.
-const LOWEST: f64 = 0.3;
+/// Rate of growth, 1/s, above which the vehicle counts as unstable: it doubles in 70 s.
+const GROWING: f64 = 0.01;
 
 /// Stiffness that holds the first body along the track, N/m, so that the vehicle does not drift: 0.04 Hz
 /// for a heavy locomotive.
@@ -66,12 +66,10 @@ impl Rolling {
     /// The speed up to `greatest` at which the first oscillation begins to grow, if there is one.
     pub fn critical_speed(&self, structure: &Structure, greatest: f64) -> Option<CriticalSpeed> {
         let suspension = System::new(structure, Surfaces::Slide);
-        let growth = |speed: f64| {
-            let least_stable = self.system(&suspension, structure, speed).least_stable(LOWEST);
-            least_stable.map_or((-1.0, 0.0), |value| (value.re, value.im))
-        };
+        let at = |speed: f64| self.system(&suspension, structure, speed).least_stable();
+        let grows = |speed: f64| at(speed).is_some_and(|mode| mode.growth > GROWING);
         let mut stable = SEARCH_STEP;
-        while growth(stable + SEARCH_STEP).0 < 0.0 {
+        while !grows(stable + SEARCH_STEP) {
             stable += SEARCH_STEP;
             if stable >= greatest {
                 return None;
@@ -80,13 +78,13 @@ impl Rolling {
         let mut unstable = stable + SEARCH_STEP;
         while unstable - stable > EXACTNESS {
             let middle = 0.5 * (stable + unstable);
-            if growth(middle).0 < 0.0 {
-                stable = middle;
-            } else {
+            if grows(middle) {
                 unstable = middle;
+            } else {
+                stable = middle;
             }
         }
-        let frequency = growth(unstable).1 / std::f64::consts::TAU;
+        let frequency = at(unstable)?.frequency / std::f64::consts::TAU;
         Some(CriticalSpeed { speed: unstable, frequency })
     }
 

@@ -1,8 +1,7 @@
-//! A step allocates nothing, whatever the vehicle and its track.
+//! A step of the vehicle allocates nothing, whatever the vehicle and its track.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::path::Path;
 use std::sync::Arc;
 
 use track::{Irregularity, Support, Track};
@@ -48,8 +47,7 @@ const TRACK: &str = "
 
 #[test]
 fn property_a_step_allocates_nothing() {
-    let stock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../stock");
-    let library = stock::Library::open(stock).unwrap();
+    let library = stock::Library::open(hotfoot_tests::root().join("stock")).unwrap();
     for name in ["locomotive-coco-134t", "wagon-ore-40t"] {
         let structure = Structure::shared(&library.vehicle(name).unwrap()).unwrap();
         let line = Line {
