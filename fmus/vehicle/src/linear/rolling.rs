@@ -33,6 +33,9 @@ const SEARCH_STEP: f64 = 8.0;
 /// How exactly the speed is found, m/s.
 const EXACTNESS: f64 = 0.1;
 
+/// How far above it the frequency is read, m/s, where the growing mode outweighs all others.
+const BEYOND: f64 = 3.0;
+
 /// Wheels and rails of the linear system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rolling {
@@ -84,7 +87,7 @@ impl Rolling {
                 stable = middle;
             }
         }
-        let frequency = at(unstable)?.frequency / std::f64::consts::TAU;
+        let frequency = at(unstable + BEYOND)?.frequency / std::f64::consts::TAU;
         Some(CriticalSpeed { speed: unstable, frequency })
     }
 
