@@ -100,6 +100,10 @@ pub fn write_railheat(
 
 fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, PackError> {
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
+    // A track file that cannot be read is answered by the models, with all that is wrong in it.
+    if let Ok(Some(irregularities)) = track::irregularity::file_beside(&scenario.track.file) {
+        copy_file(&irregularities, &folder.join(irregularities.file_name().unwrap_or_default()))?;
+    }
     copy_folder(&scenario.stock, &folder.join("stock"))?;
     Ok(Origins(vec![
         ("track.toml".to_owned(), scenario.track.file.clone()),
