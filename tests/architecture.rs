@@ -49,8 +49,18 @@ fn physics_does_not_know_the_master_nor_its_tools() {
 #[test]
 fn the_master_knows_no_model() {
     let dependencies = dependencies("master");
-    for model in ["vehicle", "longitudinal", "railheat", "contact", "stock", "fmu"] {
+    for model in ["vehicle", "longitudinal", "railheat", "contact", "stock", "fmu", "hotfoot-tools"]
+    {
         assert!(!dependencies.contains(model), "the master depends on {model}");
+    }
+}
+
+/// The engineering commands ask the models; they are no part of a run, and nothing uses them.
+#[test]
+fn the_tools_know_no_master_and_nothing_knows_them() {
+    assert!(!dependencies("crates/tools").contains("hotfoot"));
+    for package in ["master", "crates/fmu"].iter().chain(&PHYSICS) {
+        assert!(!dependencies(package).contains("hotfoot-tools"), "{package} knows the tools");
     }
 }
 
@@ -104,8 +114,8 @@ fn files_stay_short() {
 #[test]
 fn the_map_names_every_package() {
     let map = std::fs::read_to_string(root().join("docs/architecture.md")).unwrap();
-    for package in PHYSICS.iter().chain(&["crates/fmu", "crates/field", "master", "tests", "xtask"])
-    {
+    let others = ["crates/fmu", "crates/field", "crates/tools", "master", "tests", "xtask"];
+    for package in PHYSICS.iter().chain(&others) {
         assert!(
             map.contains(&format!("`{package}`")),
             "docs/architecture.md does not name {package}"

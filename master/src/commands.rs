@@ -1,6 +1,8 @@
 //! The commands of the program `hotfoot`.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use clap::Args;
 use miette::{IntoDiagnostic, Result, miette};
@@ -47,6 +49,13 @@ pub struct PackArguments {
     /// FMU to write
     #[arg(long, short)]
     output: PathBuf,
+}
+
+/// Arguments that a command of the program `hotfoot-tools` gets as they are, `--help` too.
+#[derive(Args)]
+pub struct ToolArguments {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENTS")]
+    arguments: Vec<OsString>,
 }
 
 /// Runs a scenario, tells where the results are, and the main figures.
@@ -148,4 +157,20 @@ pub fn schema() -> Result<()> {
     let schema = schemars::schema_for!(scenario::Scenario);
     println!("{}", serde_json::to_string_pretty(&schema).into_diagnostic()?);
     Ok(())
+}
+
+/// Runs a command of the program `hotfoot-tools`, which stands beside this one: it knows the models
+/// that the master does not know. Ends this program with the status of that one.
+///
+/// # Errors
+/// When the program cannot be started.
+pub fn tool(command: &str, arguments: &ToolArguments) -> Result<()> {
+    let name = format!("hotfoot-tools{}", std::env::consts::EXE_SUFFIX);
+    let program = std::env::current_exe().unwrap_or_default().with_file_name(name);
+    let status = Command::new(&program).arg(command).args(&arguments.arguments).status();
+    let status = status.map_err(|error| {
+        let program = program.display();
+        miette!("`hotfoot {command}` needs the program {program}, which cannot be started: {error}")
+    })?;
+    std::process::exit(status.code().unwrap_or(1))
 }

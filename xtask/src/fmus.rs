@@ -9,11 +9,12 @@ use crate::shell::{cargo, hotfoot, output, run, target};
 /// The models that become FMUs.
 const MODELS: [&str; 3] = ["vehicle", "longitudinal", "railheat"];
 
-/// Builds the program and the FMUs' binaries in release, and packs the FMUs with their default
+/// Builds the programs and the FMUs' binaries in release, and packs the FMUs with their default
 /// resources and the stock library into `target/fmus`.
 pub fn build() -> Result<()> {
     let packages = MODELS.iter().flat_map(|model| ["-p".to_owned(), format!("{model}-fmu")]);
-    run(cargo().args(["build", "--release", "-p", "hotfoot"]).args(packages))?;
+    let programs = ["-p", "hotfoot", "-p", "hotfoot-tools"];
+    run(cargo().args(["build", "--release"]).args(programs).args(packages))?;
     let folder = target().join("fmus");
     std::fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
     for model in MODELS {

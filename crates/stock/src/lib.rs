@@ -13,6 +13,8 @@
 //! | `propulsion.rs` | its sections on traction and dynamic brake |
 //! | `brake.rs` | its sections on friction brakes |
 //! | `multibody.rs` | its section for the three-dimensional model; `multibody_check.rs` checks it |
+//! | `creep.rs` | the creep law of that section |
+//! | `elements.rs` | the force elements of that section; `elements_check.rs` checks them |
 //! | `gear_file.rs`, `wedge.rs` | the draft-gear file |
 //! | `draft_gear.rs`, `force_curve.rs` | what it comes down to: forces over deflections |
 //! | `consist.rs` | the consist file: the vehicles of a train in order |
@@ -21,7 +23,10 @@
 mod brake;
 mod check;
 mod consist;
+mod creep;
 mod draft_gear;
+mod elements;
+mod elements_check;
 mod force_curve;
 mod gear_file;
 mod library;
@@ -35,13 +40,15 @@ mod wedge;
 pub use brake::{AirBrake, Brake, BrakeControl, FractionByTime, HandBrake, LocomotiveBrake};
 pub use check::{Check, StockError};
 pub use consist::{Consist, Member};
+pub use creep::{CreepLaw, CreepLawKind};
 pub use draft_gear::{Characteristic, DraftGear, Orifice};
+pub use elements::{
+    CentrePlate, Damper, Direction, Friction, Rod, RotationalSpring, SideBearer, Spring, Stop,
+    TabulatedSpring, Wedge as FrictionWedge,
+};
 pub use force_curve::ForceCurve;
 pub use library::{Library, read_toml};
-pub use multibody::{
-    Body, CouplerAttachment, CreepLaw, Damper, Direction, Multibody, Spring, Stop,
-    WheelRailContact, Wheelset,
-};
+pub use multibody::{Body, CouplerAttachment, Multibody, WheelRailContact, Wheelset};
 pub use propulsion::{
     Between, DynamicBrake, EffortByNotch, EffortBySpeed, NOTCHES, Traction, ValueBySpeed,
 };

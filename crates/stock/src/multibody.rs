@@ -1,4 +1,5 @@
-//! The `[multibody]` section of a vehicle file: bodies, wheelsets, force elements, contact.
+//! The `[multibody]` section of a vehicle file: bodies, wheelsets, contact, and the lists of force
+//! elements.
 //!
 //! Points are given in the vehicle at rest on straight level track: x forward from the vehicle's
 //! middle, y to the right of the centre line, and the height above the rails.
@@ -6,6 +7,11 @@
 use serde::Deserialize;
 
 use crate::check::{Check, StockError};
+use crate::creep::CreepLaw;
+use crate::elements::{
+    CentrePlate, Damper, Friction, Rod, RotationalSpring, SideBearer, Spring, Stop,
+    TabulatedSpring, Wedge,
+};
 use crate::multibody_check::Checker;
 
 /// A vehicle as rigid bodies with springs, dampers and stops between them.
@@ -31,6 +37,27 @@ pub struct Multibody {
     /// Stops with free play.
     #[serde(default)]
     pub stop: Vec<Stop>,
+    /// Springs with a table of force over displacement.
+    #[serde(default)]
+    pub tabulated_spring: Vec<TabulatedSpring>,
+    /// Springs against rotation, such as anti-roll bars.
+    #[serde(default)]
+    pub rotational_spring: Vec<RotationalSpring>,
+    /// Rods with a length, such as traction rods.
+    #[serde(default)]
+    pub rod: Vec<Rod>,
+    /// Dry friction with a constant limit.
+    #[serde(default)]
+    pub friction: Vec<Friction>,
+    /// Friction wedges of three-piece bogies.
+    #[serde(default)]
+    pub wedge: Vec<Wedge>,
+    /// Centre plates.
+    #[serde(default)]
+    pub centre_plate: Vec<CentrePlate>,
+    /// Constant-contact side bearers.
+    #[serde(default)]
+    pub side_bearer: Vec<SideBearer>,
 }
 
 /// Height of the couplers; they act on the first body at half the vehicle's length.
@@ -57,26 +84,8 @@ pub struct WheelRailContact {
     pub flange_back_distance_mm: f64,
     /// Damping force over normal force for a speed of approach, s/m.
     pub damping_s_m: f64,
-    /// Polach's creep law.
+    /// Creep law with its friction.
     pub creep: CreepLaw,
-}
-
-/// Parameters of Polach's creep law and of its falling friction.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
-#[serde(deny_unknown_fields)]
-pub struct CreepLaw {
-    /// Where the values come from.
-    pub source: String,
-    /// Reduction of the initial slope in the area of adhesion (kA).
-    pub adhesion_factor: f64,
-    /// Reduction in the area of slip (kS).
-    pub slip_factor: f64,
-    /// Friction coefficient without slip (mu0).
-    pub friction: f64,
-    /// Ratio of the friction at infinite slip velocity to `friction` (A).
-    pub limit_ratio: f64,
-    /// Decay of the friction with the slip velocity (B), s/m.
-    pub decay_s_m: f64,
 }
 
 /// A car body or a bogie frame.
@@ -91,6 +100,9 @@ pub struct Body {
     pub inertia_kg_m2: [f64; 3],
     /// Centre of mass: x from the vehicle's middle, m.
     pub x_m: f64,
+    /// Centre of mass: y from the centre line, to the right, m.
+    #[serde(default)]
+    pub y_m: f64,
     /// Centre of mass: height above the rails, m.
     pub height_m: f64,
 }
@@ -114,76 +126,6 @@ pub struct Wheelset {
     /// Whether the drive acts on it.
     #[serde(default)]
     pub powered: bool,
-}
-
-/// Springs of one kind between two bodies, one at each point, each with its damping in parallel.
-///
-/// A spring has no length; it carries its share of the weight when the vehicle stands at its
-/// given heights.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
-#[serde(deny_unknown_fields)]
-pub struct Spring {
-    /// Name for messages.
-    pub name: String,
-    /// The two bodies.
-    pub between: [String; 2],
-    /// Points x, y, height above the rails, m.
-    pub points_m: Vec<[f64; 3]>,
-    /// Stiffness in x, y, z, N/m.
-    pub stiffness_n_m: [f64; 3],
-    /// Damping in x, y, z, N s/m.
-    #[serde(default)]
-    pub damping_n_s_m: [f64; 3],
-}
-
-/// Direction in which a damper or a stop acts.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
-#[serde(rename_all = "snake_case")]
-pub enum Direction {
-    /// Along the vehicle (x).
-    Longitudinal,
-    /// Across it (y).
-    Lateral,
-    /// Vertical (z).
-    Vertical,
-}
-
-/// Dampers of one kind between two bodies, one at each point.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
-#[serde(deny_unknown_fields)]
-pub struct Damper {
-    /// Name for messages.
-    pub name: String,
-    /// The two bodies.
-    pub between: [String; 2],
-    /// Points x, y, height above the rails, m.
-    pub points_m: Vec<[f64; 3]>,
-    /// Direction in which it acts.
-    pub direction: Direction,
-    /// Damping, N s/m.
-    pub damping_n_s_m: f64,
-    /// Stiffness in series (oil, mounts), N/m; left out: rigid.
-    pub series_stiffness_n_m: Option<f64>,
-    /// Force at which the damper blows off, N; left out: never.
-    pub blow_off_n: Option<f64>,
-}
-
-/// Stops of one kind between two bodies, one at each point.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
-#[serde(deny_unknown_fields)]
-pub struct Stop {
-    /// Name for messages.
-    pub name: String,
-    /// The two bodies.
-    pub between: [String; 2],
-    /// Points x, y, height above the rails, m.
-    pub points_m: Vec<[f64; 3]>,
-    /// Direction in which it acts, to both sides.
-    pub direction: Direction,
-    /// Free play to each side, mm.
-    pub free_play_mm: f64,
-    /// Stiffness beyond the free play, N/m.
-    pub stiffness_n_m: f64,
 }
 
 impl Multibody {

@@ -21,6 +21,8 @@
 //! `chainage_m`, `per_km` (1000 m over the radius) and `cant_mm`. Between the points the values go
 //! linearly, or, with `gradient_interpolation = "cubic"` or `curvature_interpolation = "cubic"`, by a
 //! cubic spline. A chainage that stands twice is a step, and the end of a spline.
+//!
+//! The sections `[irregularity]` and `[support]` are those of `irregularity/file.rs` and `support.rs`.
 
 use std::path::Path;
 
@@ -60,6 +62,24 @@ pub enum TrackError {
         /// What would be right.
         wanted: &'static str,
     },
+    /// A table of measured values has other columns.
+    #[error("{file}: the first line must be \"{wanted}\"")]
+    Columns {
+        /// File name.
+        file: String,
+        /// The columns that it must have.
+        wanted: &'static str,
+    },
+    /// A row of measured values cannot be used.
+    #[error(
+        "{file}: line {line}: must be a chainage in m and four irregularities between -200 and 200 mm"
+    )]
+    Row {
+        /// File name.
+        file: String,
+        /// Number of the line.
+        line: usize,
+    },
     /// Points cannot be used as a function of the chainage.
     #[error("track file {file}: {key}: {source}")]
     Points {
@@ -87,6 +107,12 @@ pub(crate) struct TrackFile {
     pub gradient: Vec<GradientPoint>,
     #[serde(default)]
     pub gradient_interpolation: Between,
+    /// Read by [`crate::Irregularity`]; stands here so that a wrong key in it is refused.
+    #[serde(default, rename = "irregularity")]
+    pub _irregularity: Option<crate::irregularity::Section>,
+    /// Read by [`crate::Support`].
+    #[serde(default, rename = "support")]
+    pub _support: Option<crate::support::Section>,
 }
 
 #[derive(Deserialize)]

@@ -5,6 +5,8 @@
 //! | `file.rs`, `check.rs` | the track file that people write, and what its values must be |
 //! | `compile.rs` | from the file to the compiled track |
 //! | `track.rs` | the compiled track: what holds at a chainage |
+//! | `irregularity/` | where the rails lie besides their designed place |
+//! | `support.rs` | the elastic support of the rails |
 //!
 //! Positive curvature is a right-hand curve; positive cant lowers the right rail (the inner rail
 //! of a right-hand curve); a positive gradient rises in the running direction.
@@ -12,7 +14,11 @@
 mod check;
 mod compile;
 mod file;
+pub mod irregularity;
+mod support;
 mod track;
 
 pub use file::TrackError;
+pub use irregularity::{Irregularity, RailOffset};
+pub use support::Support;
 pub use track::{Track, TrackPoint};

@@ -16,6 +16,8 @@ pub struct RigidBody {
     pub inertia: Vector3<f64>,
     /// Distance ahead of the vehicle's middle, m.
     pub along: f64,
+    /// Distance to the right of the track's centre line at rest, m.
+    pub across: f64,
     /// Height of the centre of mass above the rails, m.
     pub height: f64,
     /// Whether it turns about y with the wheels.
@@ -70,8 +72,21 @@ impl BodyState {
     /// Speed of the body's frame along the track, m/s (eq. 2).
     #[inline]
     pub fn frame_speed(&self, body: &RigidBody, frame: &Frame) -> f64 {
-        let below = self.position.z - body.height;
-        self.velocity.x / (1.0 + frame.rotation.y * below)
+        self.velocity.x / self.lengthening(body, frame)
+    }
+
+    /// How much faster than its frame a body is that follows the track, as it runs beside and above
+    /// the centre line (eq. 2).
+    #[inline]
+    pub fn lengthening(&self, body: &RigidBody, frame: &Frame) -> f64 {
+        let [aside, below] = self.place(body);
+        1.0 + frame.rotation.y * below - frame.rotation.z * aside
+    }
+
+    /// Centre of mass to the right of the centre line and below the rails, m.
+    #[inline]
+    pub fn place(&self, body: &RigidBody) -> [f64; 2] {
+        [body.across + self.position.y, self.position.z - body.height]
     }
 
     /// Rates of the coordinates: absolute velocities less those of the frame (eq. 2).
@@ -79,7 +94,7 @@ impl BodyState {
     pub fn rates(&self, body: &RigidBody, frame: &Frame) -> Rates {
         let speed = self.frame_speed(body, frame);
         let turning = frame.rotation * speed;
-        let below = self.position.z - body.height;
+        let [aside, below] = self.place(body);
         let mut rotation = self.angular_velocity - turning;
         if body.turns {
             rotation.y = 0.0;
@@ -88,7 +103,7 @@ impl BodyState {
             position: Vector3::new(
                 speed,
                 self.velocity.y + turning.x * below,
-                self.velocity.z - turning.x * self.position.y,
+                self.velocity.z - turning.x * aside,
             ),
             rotation,
         }
@@ -112,8 +127,9 @@ impl BodyState {
     /// The body in the common frame, in which its own frame has this placement (eqs 8, 9).
     #[inline]
     pub fn seen(&self, body: &RigidBody, frame: &Frame, placement: &Placement) -> Seen {
-        let at_rest = Vector3::new(body.along, 0.0, -body.height);
-        let local = Vector3::new(0.0, self.position.y, self.position.z - body.height);
+        let at_rest = Vector3::new(body.along, body.across, -body.height);
+        let [aside, below] = self.place(body);
+        let local = Vector3::new(0.0, aside, below);
         let mut angular_velocity = self.angular_velocity;
         if body.turns {
             angular_velocity.y = frame.rotation.y * self.velocity.x;
@@ -134,8 +150,8 @@ impl BodyState {
 
     /// Potential energy in gravity, J, against a body at rest at elevation zero.
     pub fn gravity_energy(&self, body: &RigidBody, frame: &Frame) -> f64 {
-        let below = self.position.z - body.height;
-        let across = self.position.y * frame.gravity.y + below * frame.gravity.z;
+        let [aside, below] = self.place(body);
+        let across = aside * frame.gravity.y + below * frame.gravity.z;
         body.mass * (crate::frame::GRAVITY * (frame.track.elevation - body.height) - across)
     }
 }

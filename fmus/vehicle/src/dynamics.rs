@@ -7,18 +7,18 @@
 
 use std::sync::Arc;
 
-use contact::Polach;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
-use track::Track;
 
 use crate::body::{BodyState, Seen, Wrench};
 use crate::drive::Drive;
 use crate::energy::{Account, Stored};
 use crate::frame::{Frame, Placement};
 use crate::inputs::Inputs;
+use crate::line::Line;
+use crate::rail::{Deflection, RailMotion};
 use crate::structure::Structure;
-use crate::suspension::ElementEnergy;
+use crate::suspension::{ElementEnergy, ElementState};
 use crate::wheel_output::WheelOutput;
 use crate::wheelset::WheelsetStep;
 
@@ -27,8 +27,10 @@ use crate::wheelset::WheelsetStep;
 pub struct State {
     /// Bodies in the structure's order.
     pub bodies: Vec<BodyState>,
-    /// Force of each damper on its second body, N.
-    pub damper_forces: Vec<f64>,
+    /// What the force elements remember.
+    pub elements: ElementState,
+    /// Deflection of the rails under each wheelset, left and right.
+    pub deflections: Vec<[Deflection; 2]>,
     /// Work and heat since the start.
     pub account: Account,
 }
@@ -39,7 +41,7 @@ pub struct Dynamics {
     /// What the vehicle is.
     pub structure: Arc<Structure>,
     /// Where it runs.
-    pub track: Arc<Track>,
+    pub line: Arc<Line>,
     /// Where it is and how it moves.
     pub state: State,
     /// Wheels of each wheelset, left and right, at the end of the last step.
@@ -47,6 +49,7 @@ pub struct Dynamics {
     /// Acceleration of the first body along the track in the last step, m/s².
     pub acceleration: f64,
     pub(crate) frames: Vec<Frame>,
+    rails: Vec<[RailMotion; 2]>,
     pub(crate) decay: Vec<f64>,
     elements: ElementEnergy,
     step: f64,
@@ -58,18 +61,20 @@ pub struct Dynamics {
 
 impl Dynamics {
     /// A vehicle whose bodies stand at the beginning of the track until it is placed.
-    pub fn new(structure: Arc<Structure>, track: Arc<Track>) -> Self {
+    pub fn new(structure: Arc<Structure>, line: Arc<Line>) -> Self {
         let bodies = structure.bodies.len();
         let dampers = structure.suspension.dampers.len();
         Self {
             state: State {
                 bodies: vec![BodyState::default(); bodies],
-                damper_forces: vec![0.0; dampers],
+                elements: structure.suspension.at_rest(),
+                deflections: vec![Default::default(); structure.wheelsets.len()],
                 account: Account::default(),
             },
             wheels: vec![Default::default(); structure.wheelsets.len()],
             acceleration: 0.0,
             frames: vec![Frame::default(); bodies],
+            rails: vec![Default::default(); structure.wheelsets.len()],
             decay: vec![0.0; dampers],
             elements: ElementEnergy::default(),
             step: 0.0,
@@ -78,7 +83,7 @@ impl Dynamics {
             wrenches: vec![Wrench::default(); bodies],
             track_index: 0,
             structure,
-            track,
+            line,
         }
     }
 
@@ -88,7 +93,9 @@ impl Dynamics {
         self.locate();
         self.drift(0.5 * step, 0.0);
         self.locate();
+        self.find_rails(1.0);
         self.kick(step, inputs);
+        self.bend_rails(step);
         self.drift(0.5 * step, 0.0);
     }
 
@@ -108,9 +115,13 @@ impl Dynamics {
         for wheel in self.wheels.iter().flatten() {
             stored.elastic += wheel.elastic_energy;
         }
+        if let Some(support) = &self.line.support {
+            let deflections = self.state.deflections.iter().flatten();
+            stored.elastic += deflections.map(|d| d.elastic_energy(support)).sum::<f64>();
+        }
         let mut index = self.track_index;
         for (state, body) in self.state.bodies.iter().zip(&self.structure.bodies) {
-            let frame = Frame::new(self.track.at(state.position.x, &mut index));
+            let frame = Frame::new(self.line.track.at(state.position.x, &mut index));
             stored.kinetic += state.kinetic_energy(body);
             stored.gravity += state.gravity_energy(body, &frame);
         }
@@ -137,7 +148,44 @@ impl Dynamics {
     /// The track under every body.
     pub(crate) fn locate(&mut self) {
         for (frame, state) in self.frames.iter_mut().zip(&self.state.bodies) {
-            *frame = Frame::new(self.track.at(state.position.x, &mut self.track_index));
+            *frame = Frame::new(self.line.track.at(state.position.x, &mut self.track_index));
+        }
+    }
+
+    /// The rails under every wheelset; `moving` is 1, or 0 for rails whose irregularities do not
+    /// move up and down under the wheels.
+    pub(crate) fn find_rails(&mut self, moving: f64) {
+        let line = &*self.line;
+        if line.is_stiff_and_smooth() {
+            return;
+        }
+        for (i, data) in self.structure.wheelsets.iter().enumerate() {
+            let state = &self.state.bodies[data.body];
+            let offsets = line.irregularity.at(state.position.x);
+            let speed = moving * state.velocity.x;
+            self.rails[i] = [0, 1].map(|side| {
+                RailMotion::new(&offsets[side], speed, &self.state.deflections[i][side])
+            });
+        }
+    }
+
+    /// The deflections of the rails at the end of a step, and what irregularities and support did.
+    pub(crate) fn bend_rails(&mut self, step: f64) {
+        if self.line.is_stiff_and_smooth() {
+            return;
+        }
+        let speed = self.velocity();
+        let State { deflections, account, .. } = &mut self.state;
+        for (i, deflections) in deflections.iter_mut().enumerate() {
+            for (side, deflection) in deflections.iter_mut().enumerate() {
+                let (wheel, rail) = (&self.wheels[i][side], &self.rails[i][side]);
+                let lifting = rail.velocity - deflection.velocity;
+                account.irregularities +=
+                    step * (lifting.x * wheel.guiding - lifting.y * wheel.vertical);
+                if let Some(support) = &self.line.support {
+                    deflection.step(support, wheel, speed, step, account);
+                }
+            }
         }
     }
 
@@ -154,7 +202,7 @@ impl Dynamics {
 
     /// Changes the velocities by the forces of a step.
     pub(crate) fn kick(&mut self, step: f64, inputs: &Inputs) {
-        self.suspend();
+        self.suspend(step);
         self.add_outer_forces(inputs, step);
         let before = self.velocity();
         self.roll(step, inputs);
@@ -170,7 +218,7 @@ impl Dynamics {
     }
 
     /// Forces of the suspension, weight and moving frames, each in its body's frame.
-    fn suspend(&mut self) {
+    fn suspend(&mut self, step: f64) {
         let structure = &*self.structure;
         let origin = self.frames[0];
         let start = self.state.bodies[0].position.x;
@@ -183,8 +231,9 @@ impl Dynamics {
         self.wrenches.fill(Wrench::default());
         self.elements = structure.suspension.apply(
             &self.seen,
-            &mut self.state.damper_forces,
+            &mut self.state.elements,
             &self.decay,
+            step,
             &mut self.wrenches,
         );
         for (i, body) in structure.bodies.iter().enumerate() {
@@ -219,7 +268,7 @@ impl Dynamics {
                 return Vector3::zeros();
             }
             let ahead = self.structure.couplers[i].x;
-            let there = Frame::new(self.track.at(here + ahead, &mut self.track_index));
+            let there = Frame::new(self.line.track.at(here + ahead, &mut self.track_index));
             let turn = self.frames[0].placement(&there, ahead).turn;
             pulls[i] * Vector3::new(1.0, turn.z, -turn.y)
         })
@@ -228,8 +277,7 @@ impl Dynamics {
     /// The wheelsets, and the reaction of their drives.
     fn roll(&mut self, step: f64, inputs: &Inputs) {
         let structure = &*self.structure;
-        let mut creep: Polach = structure.creep;
-        creep.friction.static_coefficient = inputs.friction;
+        let creep = structure.creep.with_friction(inputs.friction);
         for (i, data) in structure.wheelsets.iter().enumerate() {
             let drive = Drive {
                 torque: -inputs.traction * data.traction_share * data.wheel.radius,
@@ -240,6 +288,7 @@ impl Dynamics {
                 data,
                 body: &structure.bodies[data.body],
                 frame: &self.frames[data.body],
+                rails: self.rails[i],
                 creep: &creep,
                 wrench: self.wrenches[data.body],
                 drive,

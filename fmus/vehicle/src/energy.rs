@@ -24,17 +24,25 @@ pub struct Account {
     pub friction_heat: f64,
     /// Heat in the normal damping of the contacts.
     pub contact_heat: f64,
+    /// Heat in the support of the rails.
+    pub track_heat: f64,
+    /// Work of the irregularities, which move the rails under the wheels.
+    pub irregularities: f64,
 }
 
 impl Account {
     /// Work of all inputs, J.
     pub fn work(&self) -> f64 {
-        self.couplers + self.traction + self.resistance + self.synchronisation
+        self.couplers + self.traction + self.resistance + self.synchronisation + self.irregularities
     }
 
     /// All heat, J.
     pub fn heat(&self) -> f64 {
-        self.brake_heat + self.suspension_heat + self.friction_heat + self.contact_heat
+        self.brake_heat
+            + self.suspension_heat
+            + self.friction_heat
+            + self.contact_heat
+            + self.track_heat
     }
 }
 

@@ -2,21 +2,17 @@
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
 use stock::Library;
-use track::Track;
 
 use crate::dynamics::{Dynamics, State};
 use crate::inputs::Inputs;
+use crate::line::Line;
 use crate::signals::Signals;
-use crate::structure::{Structure, multibody};
+use crate::structure::{LONGEST_STEP, Structure, multibody};
 use crate::wheel::Standing;
 use crate::wheel_output::WheelOutput;
-
-/// Longest step of the integration, s; longer intervals are divided into equal steps.
-pub const LONGEST_STEP: f64 = 1e-3;
 
 /// A railway vehicle in three dimensions.
 pub struct Vehicle {
@@ -53,15 +49,15 @@ impl Model for Vehicle {
         log: &mut Log,
     ) -> Result<Self, ModelError> {
         let vehicle = read_vehicle(resources, &values[signals.vehicle_file])?;
-        let structure = Structure::new(&vehicle).map_err(ModelError::from_error)?;
+        let structure = Structure::shared(&vehicle).map_err(ModelError::from_error)?;
         check_shape(&structure, signals, &vehicle.name)?;
         let track_file = file(resources, &values[signals.track_file], "track.toml");
-        let track = Track::from_file(&track_file).map_err(ModelError::from_error)?;
+        let line = Line::shared(&track_file).map_err(ModelError::from_error)?;
         let inputs = checked(signals.read(values))?;
         let position = finite("initial.position", values[signals.initial_position])?;
         let velocity = finite("initial.velocity", values[signals.initial_velocity])?;
 
-        let mut dynamics = Dynamics::new(Arc::new(structure), Arc::new(track));
+        let mut dynamics = Dynamics::new(structure, line);
         let equilibrium = dynamics.start(position, velocity, &inputs);
         if !equilibrium.reached {
             log.warning(format!(
@@ -86,7 +82,7 @@ impl Model for Vehicle {
         log: &mut Log,
     ) -> Result<(), ModelError> {
         let inputs = checked(signals.read(values))?;
-        let steps = steps(interval.length);
+        let steps = steps(interval.length, self.dynamics.structure.longest_step);
         for _ in 0..steps {
             self.dynamics.step(interval.length / f64::from(steps), &inputs);
         }
@@ -202,10 +198,10 @@ impl Vehicle {
     }
 }
 
-/// Number of equal steps in an interval, each at most [`LONGEST_STEP`] long.
-fn steps(length: f64) -> u32 {
+/// Number of equal steps in an interval, each at most `longest` long.
+fn steps(length: f64, longest: f64) -> u32 {
     // An interval of 1 ms computed from two times may be longer by rounding.
-    (length / LONGEST_STEP - 1e-6).ceil().max(1.0) as u32
+    (length / longest - 1e-6).ceil().max(1.0) as u32
 }
 
 /// The file a parameter names; empty: the file of this name in the FMU's resources.

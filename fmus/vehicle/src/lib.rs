@@ -4,16 +4,19 @@
 //! | file | part |
 //! |---|---|
 //! | `structure.rs` | a vehicle file compiled into flat arrays |
+//! | `creep_law.rs` | the creep law that a vehicle file chooses |
 //! | `frame.rs` | the frames that follow the track |
 //! | `body.rs` | a rigid body in its frame, with the frame's inertia forces |
-//! | `suspension/` | springs, dampers, stops |
+//! | `suspension/` | springs, dampers, stops, friction: one file for each element |
+//! | `line.rs` | what a vehicle runs on: designed track, irregularities, support |
+//! | `rail.rs` | the rails under a wheelset: irregularities, elastic support |
 //! | `wheel.rs`, `patch.rs` | a wheel and the contacts in which it touches: approach, normal force, slip |
 //! | `wheelset.rs` | a wheelset's step with its contact forces |
 //! | `wheel_output.rs` | what a wheel does to its rail at the end of a step |
 //! | `drive.rs` | traction and brake of a wheelset |
 //! | `dynamics.rs` | the vehicle in motion: state and step |
 //! | `equilibrium.rs` | the start in equilibrium |
-//! | `statics.rs`, `linear.rs` | static load of the springs; the vehicle linearised |
+//! | `statics.rs`, `linear/` | static load of the springs; the vehicle linearised |
 //! | `energy.rs`, `inputs.rs`, `six.rs` | energy account; forces from outside; algebra |
 //! | `signals.rs`, `patch_signals.rs`, `interface.rs` | the model as an FMU |
 //!
@@ -21,6 +24,7 @@
 //! direction, y to the right, z down; SI units.
 
 pub mod body;
+mod creep_law;
 pub mod drive;
 pub mod dynamics;
 pub mod energy;
@@ -28,9 +32,11 @@ pub mod equilibrium;
 pub mod frame;
 pub mod inputs;
 mod interface;
+pub mod line;
 pub mod linear;
 pub mod patch;
 mod patch_signals;
+pub mod rail;
 mod signals;
 pub mod six;
 mod statics;
@@ -40,5 +46,5 @@ pub mod wheel;
 pub mod wheel_output;
 pub mod wheelset;
 
-pub use interface::{LONGEST_STEP, Vehicle};
+pub use interface::Vehicle;
 pub use signals::Signals;

@@ -1,34 +1,113 @@
 //! Static load of the springs: they are so long that the vehicle stands at its given heights.
 
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 
-use crate::body::Seen;
+use crate::body::{Seen, Wrench};
 use crate::frame::GRAVITY;
-use crate::linear;
+use crate::linear::{self, System};
 use crate::structure::Structure;
+use crate::suspension::ElementEnergy;
+
+/// Names of a body's coordinates.
+const COORDINATES: [&str; 6] = ["x", "y", "z", "roll", "pitch", "yaw"];
+
+/// What no spring holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Loose {
+    /// Name of the body.
+    pub body: String,
+    /// Coordinate in which it can move.
+    pub coordinate: &'static str,
+}
 
 /// Gives every spring the force with which it carries its share of the weight on straight level
-/// track, as unstressed springs would share it: K q = weight with the wheelsets held.
+/// track, as unstressed springs would share it: K q = weight with the wheelsets held. Elements
+/// whose force at rest is given (tables, wedges, side bearers) carry that; the others the rest.
 ///
-/// Nothing if a body is not held in all directions.
-pub(crate) fn preload(structure: &mut Structure) -> Option<()> {
-    let free = structure.bodies.iter().filter(|body| !body.turns).count();
-    let stiffness = linear::stiffness(structure);
-    let held = DMatrix::from(stiffness.view((0, 0), (6 * free, 6 * free)));
-    let mut weight = DVector::zeros(6 * free);
-    for (i, body) in structure.bodies[..free].iter().enumerate() {
-        weight[6 * i + 2] = body.mass * GRAVITY;
-    }
-    let displaced = held.cholesky()?.solve(&weight);
+/// # Errors
+/// When a body is not held in all directions.
+pub(crate) fn preload(structure: &mut Structure) -> Result<(), Loose> {
+    let held = System::of_load_bearing_elements(structure).with_wheelsets_held(structure).stiffness;
+    let free = held.nrows() / 6;
+    let load = load(structure, free);
+    let Some(factors) = held.clone().cholesky() else {
+        return Err(loose(structure, held));
+    };
+    let displaced = factors.solve(&load);
     let mut seen = vec![Seen::default(); structure.bodies.len()];
     for (i, seen) in seen[..free].iter_mut().enumerate() {
         let at = |j: usize| Vector3::new(displaced[j], displaced[j + 1], displaced[j + 2]);
         seen.displacement = at(6 * i);
         seen.rotation = at(6 * i + 3);
     }
-    for spring in &mut structure.suspension.springs {
-        let stretch = linear::stretch(&spring.ends, &seen);
+    set_forces(structure, &seen);
+    set_wheel_loads(structure);
+    Ok(())
+}
+
+/// The wheels carry the weight of their wheelset and what all elements press on it at rest.
+fn set_wheel_loads(structure: &mut Structure) {
+    let mut wrenches = vec![Wrench::default(); structure.bodies.len()];
+    let at_rest = vec![Seen::default(); structure.bodies.len()];
+    let suspension = &structure.suspension;
+    let decay = vec![0.0; suspension.dampers.len()];
+    suspension.apply(&at_rest, &mut suspension.at_rest(), &decay, 1.0, &mut wrenches);
+    for data in &mut structure.wheelsets {
+        let pressed = wrenches[data.body].force.z;
+        data.static_wheel_load = 0.5 * (pressed + structure.bodies[data.body].mass * GRAVITY);
+    }
+}
+
+/// Weight, and the forces of the elements whose force at rest is given.
+fn load(structure: &Structure, free: usize) -> DVector<f64> {
+    let mut wrenches = vec![Wrench::default(); structure.bodies.len()];
+    let at_rest = vec![Seen::default(); structure.bodies.len()];
+    let (suspension, energy) = (&structure.suspension, &mut ElementEnergy::default());
+    for spring in &suspension.tabulated_springs {
+        spring.apply(&at_rest, &mut wrenches, energy);
+    }
+    for wedge in &suspension.wedges {
+        wedge.apply(&at_rest, &mut [0.0; 2], 1.0, &mut wrenches, energy);
+    }
+    for bearer in &suspension.side_bearers {
+        bearer.apply(&at_rest, &mut [0.0; 2], 1.0, &mut wrenches, energy);
+    }
+    let bodies = structure.bodies.iter().zip(wrenches).take(free);
+    let parts = bodies.flat_map(|(body, Wrench { mut force, moment })| {
+        force.z += body.mass * GRAVITY;
+        [force.x, force.y, force.z, moment.x, moment.y, moment.z]
+    });
+    DVector::from_iterator(6 * free, parts)
+}
+
+/// The static forces of the springs of a vehicle that has sunk as `seen` says.
+fn set_forces(structure: &mut Structure, seen: &[Seen]) {
+    let suspension = &mut structure.suspension;
+    for spring in &mut suspension.springs {
+        let stretch = linear::stretch(&spring.ends, seen);
         spring.preload = -spring.stiffness.component_mul(&stretch);
     }
-    Some(())
+    for spring in &mut suspension.rotational_springs {
+        let turned = seen[spring.bodies[1]].rotation - seen[spring.bodies[0]].rotation;
+        spring.preload = -spring.stiffness.component_mul(&turned);
+    }
+    for rod in &mut suspension.rods {
+        let stretch = linear::stretch(&rod.ends, seen);
+        rod.preload = rod.stiffness * stretch.dot(&rod.line.normalize());
+    }
+    for plate in &mut suspension.centre_plates {
+        let stretch = linear::stretch(&plate.ends, seen);
+        let turned = seen[plate.ends.bodies[1]].rotation - seen[plate.ends.bodies[0]].rotation;
+        plate.preload = [0, 1].map(|axis| -plate.stiffness[axis] * stretch[axis]);
+        let stiffness = 0.25 * plate.stiffness.z;
+        plate.rim_preload = plate.rim().map(|arm| -stiffness * (stretch.z + turned.cross(&arm).z));
+    }
+}
+
+/// The body and the coordinate that move most in the direction that costs the least energy.
+fn loose(structure: &Structure, stiffness: DMatrix<f64>) -> Loose {
+    let eigen = SymmetricEigen::new(stiffness);
+    let softest = eigen.eigenvectors.column(eigen.eigenvalues.imin());
+    let place = softest.iamax();
+    Loose { body: structure.bodies[place / 6].name.clone(), coordinate: COORDINATES[place % 6] }
 }

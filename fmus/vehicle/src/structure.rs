@@ -1,19 +1,18 @@
 //! A vehicle file compiled into flat arrays: bodies, wheelsets and elements by index.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError, Weak};
 
-use contact::{ContactError, FallingFriction, GeometryTable, Polach, ProfilePair};
+use contact::{ContactError, CreepLaw, GeometryTable, ProfilePair};
 use contact::{RailProfile, WheelProfile};
 use nalgebra::Vector3;
-use stock::{Direction, Multibody};
+use stock::Multibody;
 
 use crate::body::RigidBody;
-use crate::statics;
+use crate::creep_law;
+use crate::linear;
+use crate::statics::{self, Loose};
 use crate::suspension::Suspension;
-use crate::suspension::damper::Damper;
-use crate::suspension::ends::Ends;
-use crate::suspension::spring::Spring;
-use crate::suspension::stop::Stop;
+use crate::suspension::compile::index;
 use crate::wheel::WheelData;
 
 /// Why a vehicle file gives no vehicle.
@@ -35,14 +34,28 @@ pub enum StructureError {
     },
     /// A body can move without any spring holding it.
     #[error(
-        "vehicle \"{vehicle}\", section [multibody]: the springs do not hold every body against \
-         the wheelsets in all directions"
+        "vehicle \"{vehicle}\", section [multibody]: no spring holds body \"{body}\" in \
+         {coordinate}; every body must be held against the wheelsets in all directions"
     )]
     Loose {
         /// Name of the vehicle.
         vehicle: String,
+        /// Name of the body.
+        body: String,
+        /// Coordinate in which it can move.
+        coordinate: &'static str,
     },
 }
+
+/// Longest step of the integration of any vehicle, s.
+pub const LONGEST_STEP: f64 = 1e-3;
+
+/// Greatest natural frequency times step: the scheme is stable below 2, and a contact may get three
+/// times its static load and with it 1.2 times its frequency.
+const GREATEST_PHASE: f64 = 1.4;
+
+/// Structures of vehicles that are in use: a train of 250 vehicles has few types.
+static STRUCTURES: Mutex<Vec<(stock::Vehicle, Weak<Structure>)>> = Mutex::new(Vec::new());
 
 /// What a vehicle is: everything that does not change in a run, except the friction coefficient.
 #[derive(Clone, Debug)]
@@ -54,7 +67,9 @@ pub struct Structure {
     /// Force elements.
     pub suspension: Suspension,
     /// Creep law.
-    pub creep: Polach,
+    pub creep: CreepLaw,
+    /// Longest step of the integration, s.
+    pub longest_step: f64,
     /// Couplers' arms from the first body's centre of mass: front, rear, m.
     pub couplers: [Vector3<f64>; 2],
 }
@@ -70,6 +85,8 @@ pub struct WheelsetData {
     pub wheel: WheelData,
     /// Contact geometry of its wheels on the rails.
     pub table: Arc<GeometryTable>,
+    /// Vertical load of each of its wheels at rest on straight level track, N.
+    pub static_wheel_load: f64,
     /// Share of the vehicle's traction force.
     pub traction_share: f64,
     /// Share of the vehicle's brake force.
@@ -90,18 +107,38 @@ impl Structure {
         let car = &bodies[0];
         let coupler = |end: f64| {
             let height = multibody.coupler.height_m;
-            Vector3::new(end - car.along, 0.0, car.height - height)
+            Vector3::new(end - car.along, -car.across, car.height - height)
         };
         let half = 0.5 * vehicle.length_m;
         let mut structure = Self {
+            longest_step: LONGEST_STEP,
             couplers: [coupler(half), coupler(-half)],
-            suspension: suspension(multibody, &bodies),
-            creep: creep(&multibody.contact.creep),
+            suspension: Suspension::new(multibody, &bodies),
+            creep: creep_law::compiled(&multibody.contact.creep),
             bodies,
             wheelsets,
         };
-        statics::preload(&mut structure)
-            .ok_or_else(|| StructureError::Loose { vehicle: name() })?;
+        statics::preload(&mut structure).map_err(|Loose { body, coordinate }| {
+            StructureError::Loose { vehicle: name(), body, coordinate }
+        })?;
+        let resolved = GREATEST_PHASE / linear::highest_frequency(&structure);
+        structure.longest_step = LONGEST_STEP.min(resolved);
+        Ok(structure)
+    }
+
+    /// The same, compiled once for all instances of this vehicle in the process.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn shared(vehicle: &stock::Vehicle) -> Result<Arc<Self>, StructureError> {
+        let mut structures = STRUCTURES.lock().unwrap_or_else(PoisonError::into_inner);
+        structures.retain(|(_, structure)| structure.strong_count() > 0);
+        let known = structures.iter().find(|(known, _)| known == vehicle);
+        if let Some(structure) = known.and_then(|(_, structure)| structure.upgrade()) {
+            return Ok(structure);
+        }
+        let structure = Arc::new(Self::new(vehicle)?);
+        structures.push((vehicle.clone(), Arc::downgrade(&structure)));
         Ok(structure)
     }
 
@@ -126,6 +163,7 @@ fn bodies(multibody: &Multibody) -> Vec<RigidBody> {
         mass: body.mass_kg,
         inertia: body.inertia_kg_m2.into(),
         along: body.x_m,
+        across: body.y_m,
         height: body.height_m,
         turns: false,
     });
@@ -134,6 +172,7 @@ fn bodies(multibody: &Multibody) -> Vec<RigidBody> {
         mass: wheelset.mass_kg,
         inertia: wheelset.inertia_kg_m2.into(),
         along: wheelset.x_m,
+        across: 0.0,
         height: wheelset.wheel_radius_m,
         turns: true,
     });
@@ -166,84 +205,10 @@ fn wheelsets(
                 damping: contact.damping_s_m,
             },
             table: GeometryTable::shared(&pair)?,
+            static_wheel_load: 0.0,
             traction_share: if wheelset.powered { 1.0 / powered as f64 } else { 0.0 },
             brake_share: 1.0 / count as f64,
         });
     }
     Ok(wheelsets)
-}
-
-fn suspension(multibody: &Multibody, bodies: &[RigidBody]) -> Suspension {
-    let mut suspension = Suspension::default();
-    for spring in &multibody.spring {
-        for ends in all_ends(bodies, &spring.between, &spring.points_m) {
-            suspension.springs.push(Spring {
-                ends,
-                stiffness: spring.stiffness_n_m.into(),
-                damping: spring.damping_n_s_m.into(),
-                preload: Vector3::zeros(),
-            });
-        }
-    }
-    for damper in &multibody.damper {
-        for ends in all_ends(bodies, &damper.between, &damper.points_m) {
-            suspension.dampers.push(Damper {
-                ends,
-                axis: axis(damper.direction),
-                damping: damper.damping_n_s_m,
-                series_stiffness: damper.series_stiffness_n_m.unwrap_or(f64::INFINITY),
-                blow_off: damper.blow_off_n.unwrap_or(f64::INFINITY),
-            });
-        }
-    }
-    for stop in &multibody.stop {
-        for ends in all_ends(bodies, &stop.between, &stop.points_m) {
-            suspension.stops.push(Stop {
-                ends,
-                axis: axis(stop.direction),
-                free_play: stop.free_play_mm * 1e-3,
-                stiffness: stop.stiffness_n_m,
-            });
-        }
-    }
-    suspension
-}
-
-fn creep(creep: &stock::CreepLaw) -> Polach {
-    Polach {
-        adhesion_factor: creep.adhesion_factor,
-        slip_factor: creep.slip_factor,
-        friction: FallingFriction {
-            static_coefficient: creep.friction,
-            limit_ratio: creep.limit_ratio,
-            decay: creep.decay_s_m,
-        },
-    }
-}
-
-/// The ends of elements between two bodies, one for each point.
-fn all_ends<'a>(
-    bodies: &'a [RigidBody],
-    between: &[String; 2],
-    points: &'a [[f64; 3]],
-) -> impl Iterator<Item = Ends> + use<'a> {
-    let indices = between.each_ref().map(|name| index(bodies, name));
-    points.iter().map(move |&[x, y, height]| Ends {
-        bodies: indices,
-        arms: indices.map(|i| Vector3::new(x - bodies[i].along, y, bodies[i].height - height)),
-    })
-}
-
-/// Place of the body with this name; the stock library has checked that there is one.
-fn index(bodies: &[RigidBody], name: &str) -> usize {
-    let found = bodies.iter().position(|body| body.name == name);
-    found.expect("the stock library checks the names of bodies")
-}
-
-fn axis(direction: Direction) -> usize {
-    match direction {
-        Direction::Longitudinal => 0,
-        Direction::Lateral => 1,
-        Direction::Vertical => 2,
-    }
 }

@@ -5,13 +5,14 @@
 //! secants of the creep law (never negative) and the normal damping, J the rows of the contacts.
 //! Then (M + h Jᵀ D J) dv = h (F + Jᵀ f) (eq. 25), a definite system of six.
 
-use contact::Polach;
+use contact::CreepLaw;
 use nalgebra::Vector3;
 
 use crate::body::{BodyState, RigidBody, Wrench};
 use crate::drive::{Drive, DriveStep};
 use crate::energy::Account;
 use crate::frame::Frame;
+use crate::rail::RailMotion;
 use crate::six::{self, Six, SixBySix, add, add_outer};
 use crate::structure::WheelsetData;
 use crate::wheel::{Side, Wheel};
@@ -25,8 +26,10 @@ pub struct WheelsetStep<'a> {
     pub body: &'a RigidBody,
     /// Track at its chainage.
     pub frame: &'a Frame,
+    /// Left and right rail.
+    pub rails: [RailMotion; 2],
     /// Creep law with the friction of now.
-    pub creep: &'a Polach,
+    pub creep: &'a CreepLaw,
     /// Force and moment of suspension, weight, frame and drive.
     pub wrench: Wrench,
     /// Drive and brake.
@@ -44,8 +47,10 @@ impl WheelsetStep<'_> {
         let against = difference(&before, &carrier);
         let speed = state.velocity.x;
         let wheels = [Side::Left, Side::Right].map(|side| {
-            let mut wheel = Wheel::new(side, &self.data.wheel, &self.data.table, state);
-            wheel.load(&self.data.wheel, self.creep, &against, speed);
+            let rail = &self.rails[side as usize];
+            let seen = rail.seen_from(state);
+            let mut wheel = Wheel::new(side, &self.data.wheel, &self.data.table, &seen);
+            wheel.load(&self.data.wheel, self.creep, &rail.against(&against), speed);
             wheel
         });
 
@@ -54,9 +59,10 @@ impl WheelsetStep<'_> {
 
         let after: Six = std::array::from_fn(|i| before[i] + change[i]);
         (state.velocity, state.angular_velocity) = six::split(&after);
-        let motion = Motion { change, after: difference(&after, &carrier), speed: after[0] };
-        let outputs = wheels.each_ref().map(|wheel| {
-            let (output, heat) = WheelOutput::new(wheel, &motion);
+        let end = difference(&after, &carrier);
+        let outputs = [0, 1].map(|i| {
+            let motion = Motion { change, after: self.rails[i].against(&end), speed: after[0] };
+            let (output, heat) = WheelOutput::new(&wheels[i], &motion);
             account.friction_heat += self.step * heat.friction;
             account.contact_heat += self.step * heat.damping;
             output
@@ -86,13 +92,13 @@ impl WheelsetStep<'_> {
         matrix[4][4] += self.step * drive.damping;
         for patch in wheels.iter().flat_map(Wheel::patches) {
             let forces = &patch.forces;
-            let creep = self.step * forces.creep.damping;
-            add_outer(&mut matrix, creep, &patch.longitudinal);
-            add_outer(&mut matrix, creep, &patch.lateral);
+            let creep = &forces.creep;
+            add_outer(&mut matrix, self.step * creep.damping, &patch.longitudinal);
+            add_outer(&mut matrix, self.step * creep.lateral_damping, &patch.lateral);
             add_outer(&mut matrix, self.step * forces.normal_damping, &patch.normal);
-            add(&mut right, forces.creep.longitudinal, &patch.longitudinal);
-            add(&mut right, forces.creep.lateral, &patch.lateral);
-            add(&mut right, forces.creep.spin_moment, &patch.spin);
+            add(&mut right, creep.longitudinal, &patch.longitudinal);
+            add(&mut right, creep.lateral, &patch.lateral);
+            add(&mut right, creep.spin_moment, &patch.spin);
             add(&mut right, -forces.normal, &patch.normal);
         }
         right.iter_mut().for_each(|value| *value *= self.step);

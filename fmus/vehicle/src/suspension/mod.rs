@@ -6,16 +6,43 @@
 //! | `spring.rs` | spring with parallel damping and static load |
 //! | `damper.rs` | hydraulic damper, rigid or with stiffness in series, with blow-off |
 //! | `stop.rs` | stop with free play |
+//! | `tabulated.rs` | spring with a table of force over displacement |
+//! | `rotational.rs` | spring against rotation: anti-roll bar |
+//! | `rod.rs` | rod with a length: traction rod |
+//! | `grip.rs` | dry friction that sticks, the common part of the next four |
+//! | `friction.rs` | friction with a constant limit |
+//! | `wedge.rs` | friction wedge |
+//! | `centre_plate.rs` | centre plate |
+//! | `side_bearer.rs` | constant-contact side bearer |
+//! | `compile.rs` | from the vehicle file to these |
 
+pub mod centre_plate;
+pub(crate) mod compile;
 pub mod damper;
 pub mod ends;
+pub mod friction;
+pub mod grip;
+pub mod rod;
+pub mod rotational;
+pub mod side_bearer;
 pub mod spring;
 pub mod stop;
+pub mod tabulated;
+pub mod wedge;
+
+use serde::{Deserialize, Serialize};
 
 use crate::body::{Seen, Wrench};
+use centre_plate::CentrePlate;
 use damper::Damper;
+use friction::Friction;
+use rod::Rod;
+use rotational::RotationalSpring;
+use side_bearer::SideBearer;
 use spring::Spring;
 use stop::Stop;
+use tabulated::TabulatedSpring;
+use wedge::Wedge;
 
 /// All elements of a vehicle, by kind.
 #[derive(Clone, Debug, Default)]
@@ -26,37 +53,93 @@ pub struct Suspension {
     pub dampers: Vec<Damper>,
     /// Stops.
     pub stops: Vec<Stop>,
+    /// Springs with a table.
+    pub tabulated_springs: Vec<TabulatedSpring>,
+    /// Springs against rotation.
+    pub rotational_springs: Vec<RotationalSpring>,
+    /// Rods.
+    pub rods: Vec<Rod>,
+    /// Dry friction.
+    pub frictions: Vec<Friction>,
+    /// Friction wedges.
+    pub wedges: Vec<Wedge>,
+    /// Centre plates.
+    pub centre_plates: Vec<CentrePlate>,
+    /// Side bearers.
+    pub side_bearers: Vec<SideBearer>,
+}
+
+/// What elements remember from step to step.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ElementState {
+    /// Force of each damper on its second body, N.
+    pub dampers: Vec<f64>,
+    /// Friction force, in one or two directions, or moment, on the second body: of frictions,
+    /// wedges, centre plates, side bearers.
+    pub friction: Vec<[f64; 2]>,
 }
 
 /// Energy in the elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElementEnergy {
-    /// Stored in springs, stops and series stiffnesses, J.
+    /// Stored in springs, stops, grips and series stiffnesses, J.
     pub stored: f64,
     /// Power turned into heat, W.
     pub dissipated: f64,
 }
 
 impl Suspension {
-    /// Adds the forces of all elements to `wrenches`. The forces of the dampers with stiffness in
-    /// series, `damper_forces`, are brought to the end of the step for which `decay` holds.
+    /// The memory of elements at rest without friction forces.
+    pub fn at_rest(&self) -> ElementState {
+        let friction = self.frictions.len()
+            + self.wedges.len()
+            + self.centre_plates.len()
+            + self.side_bearers.len();
+        ElementState { dampers: vec![0.0; self.dampers.len()], friction: vec![[0.0; 2]; friction] }
+    }
+
+    /// Adds the forces of all elements to `wrenches` and brings their memory to the end of the
+    /// step; `decay` holds for it and the dampers with stiffness in series.
     pub fn apply(
         &self,
         seen: &[Seen],
-        damper_forces: &mut [f64],
+        state: &mut ElementState,
         decay: &[f64],
+        step: f64,
         wrenches: &mut [Wrench],
     ) -> ElementEnergy {
         let mut energy = ElementEnergy::default();
         for spring in &self.springs {
             spring.apply(seen, wrenches, &mut energy);
         }
-        let states = damper_forces.iter_mut().zip(decay);
-        for (damper, (force, &decay)) in self.dampers.iter().zip(states) {
+        let dampers = state.dampers.iter_mut().zip(decay);
+        for (damper, (force, &decay)) in self.dampers.iter().zip(dampers) {
             damper.apply(seen, force, decay, wrenches, &mut energy);
         }
         for stop in &self.stops {
             stop.apply(seen, wrenches, &mut energy);
+        }
+        for spring in &self.tabulated_springs {
+            spring.apply(seen, wrenches, &mut energy);
+        }
+        for spring in &self.rotational_springs {
+            spring.apply(seen, wrenches, &mut energy);
+        }
+        for rod in &self.rods {
+            rod.apply(seen, wrenches, &mut energy);
+        }
+        let mut memory = state.friction.iter_mut();
+        for (friction, force) in self.frictions.iter().zip(&mut memory) {
+            friction.apply(seen, force, step, wrenches, &mut energy);
+        }
+        for (wedge, force) in self.wedges.iter().zip(&mut memory) {
+            wedge.apply(seen, force, step, wrenches, &mut energy);
+        }
+        for (plate, moment) in self.centre_plates.iter().zip(&mut memory) {
+            plate.apply(seen, moment, step, wrenches, &mut energy);
+        }
+        for (bearer, force) in self.side_bearers.iter().zip(&mut memory) {
+            bearer.apply(seen, force, step, wrenches, &mut energy);
         }
         energy
     }

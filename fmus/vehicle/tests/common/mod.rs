@@ -3,9 +3,10 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use track::Track;
+use track::{Irregularity, Support, Track};
 use vehicle::dynamics::Dynamics;
 use vehicle::inputs::Inputs;
+use vehicle::line::Line;
 use vehicle::structure::{Structure, WheelsetData};
 
 /// Friction coefficient of the reference set.
@@ -96,6 +97,7 @@ const FREE_WHEELSETS: &str = r#"
     damping_s_m = 0.9
     [contact.creep]
     source = "Kalker, constant friction"
+    law = "polach"
     adhesion_factor = 1.0
     slip_factor = 1.0
     friction = 0.36
@@ -105,8 +107,12 @@ const FREE_WHEELSETS: &str = r#"
 
 /// A vehicle that starts at chainage 1000 m.
 pub fn started(structure: Arc<Structure>, track: &str, speed: f64, inputs: &Inputs) -> Dynamics {
-    let track = Arc::new(Track::from_toml(track, "test").unwrap());
-    let mut vehicle = Dynamics::new(structure, track);
+    let line = Line {
+        track: Track::from_toml(track, "test").unwrap(),
+        irregularity: Irregularity::from_toml(track, "test").unwrap(),
+        support: Support::from_toml(track, "test").unwrap(),
+    };
+    let mut vehicle = Dynamics::new(structure, Arc::new(line));
     let equilibrium = vehicle.start(1000.0, speed, inputs);
     assert!(equilibrium.reached, "{speed} m/s: {equilibrium:?}");
     vehicle

@@ -1,0 +1,34 @@
+//! The vehicle that a command is about.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use miette::{IntoDiagnostic, Result};
+use stock::Library;
+use vehicle::structure::Structure;
+
+/// A vehicle of the rolling-stock library, or a vehicle file.
+#[derive(Args)]
+pub struct VehicleArgument {
+    /// Vehicle: a name in the library, or a file that ends in .toml
+    vehicle: PathBuf,
+    /// Rolling-stock library
+    #[arg(long, default_value = "stock")]
+    stock: PathBuf,
+}
+
+impl VehicleArgument {
+    /// Reads and compiles the vehicle.
+    ///
+    /// # Errors
+    /// When its file cannot be read or has no usable multibody section.
+    pub fn structure(&self) -> Result<Structure> {
+        let file = match self.vehicle.extension().is_some_and(|extension| extension == "toml") {
+            true => self.vehicle.clone(),
+            false => self.stock.join("vehicles").join(&self.vehicle).with_added_extension("toml"),
+        };
+        let library = Library::of(&file).or_else(|_| Library::open(&self.stock));
+        let vehicle = library.and_then(|library| library.vehicle_from_file(&file));
+        Structure::new(&vehicle.into_diagnostic()?).into_diagnostic()
+    }
+}

@@ -1,0 +1,87 @@
+//! Where the rails lie besides their designed place: irregularities of each rail, across and down.
+//!
+//! | file | part |
+//! |---|---|
+//! | `file.rs` | the section `[irregularity]` of a track file, and what its values must be |
+//! | `grid.rs` | values at equal distances, from a file of measured irregularities |
+//! | `spectrum.rs` | random irregularities by a power spectral density and a seed |
+//! | `shape.rs` | single defects: ramp, sine, dip |
+//!
+//! Across is positive to the right, down positive. The designed line is not touched: the train
+//! model does not know irregularities.
+
+mod file;
+mod grid;
+mod shape;
+mod spectrum;
+
+pub(crate) use file::Section;
+pub use file::file_beside;
+
+use std::path::Path;
+
+use grid::Grid;
+use shape::Shape;
+
+use crate::TrackError;
+
+/// Displacement of one rail from its designed place, and its change along the track.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RailOffset {
+    /// Across, to the right, m.
+    pub lateral: f64,
+    /// Down, m.
+    pub vertical: f64,
+    /// Change of `lateral` along the track, m/m.
+    pub lateral_slope: f64,
+    /// Change of `vertical` along the track, m/m.
+    pub vertical_slope: f64,
+}
+
+/// Irregularities of both rails.
+#[derive(Clone, Debug, Default)]
+pub struct Irregularity {
+    grid: Option<Grid>,
+    shapes: Vec<Shape>,
+}
+
+impl Irregularity {
+    /// Reads the section `[irregularity]` of a track file, and the file with measured values
+    /// that it may name.
+    ///
+    /// # Errors
+    /// When a file cannot be read or a value is not possible.
+    pub fn from_track_file(file: &Path) -> Result<Self, TrackError> {
+        let name = file.display().to_string();
+        let text = std::fs::read_to_string(file)
+            .map_err(|source| TrackError::Read { file: name.clone(), source })?;
+        let folder = file.parent().unwrap_or(Path::new(""));
+        Section::of(&text, &name)?.compile(&name, folder)
+    }
+
+    /// The same from the text of a track file that names no other file.
+    ///
+    /// # Errors
+    /// When a value is not possible.
+    pub fn from_toml(text: &str, name: &str) -> Result<Self, TrackError> {
+        Section::of(text, name)?.compile(name, Path::new(""))
+    }
+
+    /// Whether both rails lie where they are designed.
+    pub fn is_none(&self) -> bool {
+        self.grid.is_none() && self.shapes.is_empty()
+    }
+
+    /// The left and the right rail at a chainage.
+    #[inline]
+    pub fn at(&self, chainage: f64) -> [RailOffset; 2] {
+        let mut rails = match &self.grid {
+            Some(grid) => grid.at(chainage),
+            None => [RailOffset::default(); 2],
+        };
+        for shape in &self.shapes {
+            shape.add_to(&mut rails, chainage);
+        }
+        rails
+    }
+}

@@ -1,0 +1,118 @@
+//! The linear system of a vehicle that rolls on straight rails, and the speed at which it becomes
+//! unstable.
+//!
+//! For the wheel on side s = ±1 of a wheelset, with the half distance e of the contacts, radius r,
+//! conicity λ and Kalker's coefficients f11, f22 (eq. 35):
+//!
+//!   longitudinal creepage  (dx/dt + r dθ/dt - s e dψ/dt)/V - s λ y/r,   force -f11 times that
+//!   lateral creepage       (dy/dt - r dφ/dt)/V - ψ,                     force -f22 times that
+//!
+//! and a vertical spring with damping. Without gravity stiffness, spin and gyroscopic moments.
+
+use contact::STEEL;
+use contact::hertz::UnitContact;
+use contact::kalker::CreepCoefficients;
+use nalgebra::DVector;
+
+use super::system::{COORDINATES, Surfaces, System};
+use crate::structure::Structure;
+
+/// Vertical stiffness of a contact with what is below it, N/m, and its damping, N s/m.
+const VERTICAL: (f64, f64) = (0.2e9, 100e3);
+
+/// Lowest circular frequency of a mode that counts, rad/s: below, the vehicle only drifts.
+const LOWEST: f64 = 0.3;
+
+/// Steps of the search for the first unstable speed, m/s.
+const SEARCH_STEP: f64 = 4.0;
+
+/// How exactly the speed is found, m/s.
+const EXACTNESS: f64 = 0.01;
+
+/// Wheels and rails of the linear system.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rolling {
+    /// Conicity λ.
+    pub conicity: f64,
+    /// Half distance e of the contacts, m.
+    pub half_distance: f64,
+    /// Radius of the rail head, m.
+    pub rail_radius: f64,
+}
+
+/// Where a vehicle becomes unstable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CriticalSpeed {
+    /// Speed, m/s.
+    pub speed: f64,
+    /// Frequency of the mode that begins to grow, Hz.
+    pub frequency: f64,
+}
+
+impl Rolling {
+    /// Kalker's f11 and f22 of a wheel of this radius under `load`, N: G a b C11 and G a b C22.
+    pub fn creep_coefficients(&self, radius: f64, load: f64) -> [f64; 2] {
+        let unit = UnitContact::new(0.5 / radius, 0.5 / self.rail_radius, &STEEL);
+        let (a, b) = (unit.semi_axis_rolling, unit.semi_axis_lateral);
+        let kalker = CreepCoefficients::new(a / b, STEEL.poisson_ratio);
+        let area = a * b * load.powf(2.0 / 3.0);
+        [kalker.c11, kalker.c22].map(|c| STEEL.shear_modulus * area * c)
+    }
+
+    /// The speed up to `greatest` at which the first oscillation begins to grow, if there is one.
+    pub fn critical_speed(&self, structure: &Structure, greatest: f64) -> Option<CriticalSpeed> {
+        let suspension = System::new(structure, Surfaces::Slide);
+        let growth = |speed: f64| {
+            let least_stable = self.system(&suspension, structure, speed).least_stable(LOWEST);
+            least_stable.map_or((-1.0, 0.0), |value| (value.re, value.im))
+        };
+        let mut stable = SEARCH_STEP;
+        while growth(stable + SEARCH_STEP).0 < 0.0 {
+            stable += SEARCH_STEP;
+            if stable >= greatest {
+                return None;
+            }
+        }
+        let mut unstable = stable + SEARCH_STEP;
+        while unstable - stable > EXACTNESS {
+            let middle = 0.5 * (stable + unstable);
+            if growth(middle).0 < 0.0 {
+                stable = middle;
+            } else {
+                unstable = middle;
+            }
+        }
+        let frequency = growth(unstable).1 / std::f64::consts::TAU;
+        Some(CriticalSpeed { speed: unstable, frequency })
+    }
+
+    /// The suspension with its wheelsets on the rails at `speed`.
+    fn system(&self, suspension: &System, structure: &Structure, speed: f64) -> System {
+        let mut system = suspension.clone();
+        let size = system.inertia.len();
+        for data in &structure.wheelsets {
+            let radius = data.wheel.radius;
+            let [f11, f22] = self.creep_coefficients(radius, data.static_wheel_load);
+            let at = COORDINATES * data.body;
+            let row = |entries: &[(usize, f64)]| {
+                let mut row = DVector::zeros(size);
+                entries.iter().for_each(|(i, value)| row[at + i] = *value);
+                row
+            };
+            let (across, yaw) = (row(&[(1, 1.0)]), row(&[(5, 1.0)]));
+            for side in [-1.0, 1.0] {
+                let vertical = row(&[(2, 1.0), (3, side * self.half_distance)]);
+                system.stiffness += VERTICAL.0 * &vertical * vertical.transpose();
+                system.damping += VERTICAL.1 * &vertical * vertical.transpose();
+                let along = row(&[(0, 1.0), (4, radius), (5, -side * self.half_distance)]);
+                system.damping += f11 / speed * &along * along.transpose();
+                let steering = f11 * side * self.conicity / radius;
+                system.stiffness -= steering * &along * across.transpose();
+                let sideways = row(&[(1, 1.0), (3, -radius)]);
+                system.damping += f22 / speed * &sideways * sideways.transpose();
+                system.stiffness -= f22 * &sideways * yaw.transpose();
+            }
+        }
+        system
+    }
+}

@@ -1,0 +1,129 @@
+//! The rails under a wheelset: where they lie besides their designed place, and how they move.
+//!
+//! Irregularities come with the track. An elastic support lets each rail give way at each wheel: a
+//! massless rail on a spring k and a damper c, across and down (eq. 34),
+//!
+//!   c dd/dt + k d = F,
+//!
+//! where F is the force of the wheel on the rail. As F falls with the deflection (stiffness K of the
+//! contact) and with its rate (creep D), a step h takes both at its end:
+//!
+//!   v = (F - k d + D v0)/(c + D + h (k + K)),   d -> d + h v.
+
+use nalgebra::{Vector2, Vector3};
+use serde::{Deserialize, Serialize};
+use track::{RailOffset, Support};
+
+use crate::body::BodyState;
+use crate::energy::Account;
+use crate::six::Six;
+use crate::wheel_output::WheelOutput;
+
+/// Least slip, m/s, by which the slope of the creep force is estimated.
+const LEAST_SLIP: f64 = 1e-4;
+
+/// Place and velocity of a rail at a wheel against the designed track, across and down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RailMotion {
+    /// Displacement, m.
+    pub displacement: Vector2<f64>,
+    /// Velocity, m/s.
+    pub velocity: Vector2<f64>,
+}
+
+/// How far a rail has given way at a wheel, across and down.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Deflection {
+    /// Deflection d, m.
+    pub displacement: Vector2<f64>,
+    /// Its rate v in the last step, m/s.
+    pub velocity: Vector2<f64>,
+}
+
+impl RailMotion {
+    /// The rail with this irregularity that a wheel meets at `speed`, and this deflection.
+    #[inline]
+    pub fn new(offset: &RailOffset, speed: f64, deflection: &Deflection) -> Self {
+        let place = Vector2::new(offset.lateral, offset.vertical);
+        let slope = Vector2::new(offset.lateral_slope, offset.vertical_slope);
+        Self {
+            displacement: place + deflection.displacement,
+            velocity: speed * slope + deflection.velocity,
+        }
+    }
+
+    /// A wheelset seen from this rail.
+    #[inline]
+    pub fn seen_from(&self, state: &BodyState) -> BodyState {
+        let [across, down] = [self.displacement.x, self.displacement.y];
+        BodyState { position: state.position - Vector3::new(0.0, across, down), ..*state }
+    }
+
+    /// Velocities of a wheelset against this rail.
+    #[inline]
+    pub fn against(&self, velocities: &Six) -> Six {
+        let mut against = *velocities;
+        against[1] -= self.velocity.x;
+        against[2] -= self.velocity.y;
+        against
+    }
+}
+
+impl Deflection {
+    /// Brings the deflection to the end of a step in which the wheel does what `wheel` says.
+    pub fn step(
+        &mut self,
+        support: &Support,
+        wheel: &WheelOutput,
+        speed: f64,
+        step: f64,
+        account: &mut Account,
+    ) {
+        let force = Vector2::new(-wheel.guiding, wheel.vertical);
+        let contact = contact_stiffness(wheel);
+        let creep = creep_slope(wheel, speed);
+        let before = *self;
+        for axis in [0, 1] {
+            let (k, c) = (support.stiffness[axis], support.damping[axis]);
+            let slope = if axis == 0 { creep } else { 0.0 };
+            let pull = force[axis] - k * before.displacement[axis];
+            self.velocity[axis] =
+                (pull + slope * before.velocity[axis]) / (c + slope + step * (k + contact));
+            self.displacement[axis] += step * self.velocity[axis];
+            account.track_heat +=
+                step * self.velocity[axis] * (force[axis] - k * self.middle(&before)[axis]);
+        }
+    }
+
+    /// The deflection at which the support carries the wheel at rest.
+    pub fn at_rest(support: &Support, wheel: &WheelOutput) -> Self {
+        let force = Vector2::new(-wheel.guiding, wheel.vertical);
+        let displacement = force.component_div(&Vector2::from(support.stiffness));
+        Self { displacement, velocity: Vector2::zeros() }
+    }
+
+    /// Elastic energy of the support, J.
+    pub fn elastic_energy(&self, support: &Support) -> f64 {
+        let square = self.displacement.component_mul(&self.displacement);
+        0.5 * square.dot(&Vector2::from(support.stiffness))
+    }
+
+    fn middle(&self, before: &Self) -> Vector2<f64> {
+        0.5 * (self.displacement + before.displacement)
+    }
+}
+
+/// Stiffness of Hertz's contact, which stores 2/5 of force times approach: 3/2 F over the approach.
+fn contact_stiffness(wheel: &WheelOutput) -> f64 {
+    match wheel.elastic_energy > 0.0 {
+        true => 0.6 * wheel.normal * wheel.normal / wheel.elastic_energy,
+        false => 0.0,
+    }
+}
+
+/// Creep force over slip velocity.
+fn creep_slope(wheel: &WheelOutput, speed: f64) -> f64 {
+    let creepage = wheel.creepages.longitudinal.hypot(wheel.creepages.lateral);
+    let slip = (creepage * speed.abs()).max(LEAST_SLIP);
+    wheel.longitudinal.hypot(wheel.lateral) / slip
+}

@@ -1,0 +1,37 @@
+//! Spring against rotation, such as an anti-roll bar (roll alone): M = M0 - K θ - C dθ/dt, where θ
+//! is the rotation of the second body against the first (eq. 28).
+
+use nalgebra::Vector3;
+
+use super::ElementEnergy;
+use crate::body::{Seen, Wrench};
+
+/// A spring between the rotations of two bodies.
+#[derive(Clone, Debug)]
+pub struct RotationalSpring {
+    /// Indices of the bodies.
+    pub bodies: [usize; 2],
+    /// Stiffness K in roll, pitch, yaw, N m/rad.
+    pub stiffness: Vector3<f64>,
+    /// Damping C in roll, pitch, yaw, N m s/rad.
+    pub damping: Vector3<f64>,
+    /// Moment M0 on the second body while the vehicle stands on straight level track, N m.
+    pub preload: Vector3<f64>,
+}
+
+impl RotationalSpring {
+    /// Adds the moments on both bodies.
+    #[inline]
+    pub fn apply(&self, seen: &[Seen], wrenches: &mut [Wrench], energy: &mut ElementEnergy) {
+        let [first, second] = self.bodies.map(|body| &seen[body]);
+        let turned = second.rotation - first.rotation;
+        let rate = second.angular_velocity - first.angular_velocity;
+        let elastic = self.stiffness.component_mul(&turned);
+        let viscous = self.damping.component_mul(&rate);
+        let moment = self.preload - elastic - viscous;
+        wrenches[self.bodies[1]].moment += moment;
+        wrenches[self.bodies[0]].moment -= moment;
+        energy.stored += turned.dot(&(0.5 * elastic - self.preload));
+        energy.dissipated += rate.dot(&viscous);
+    }
+}
