@@ -49,6 +49,12 @@ enum Command {
     /// Natural frequencies, damping and shapes of a vehicle on its suspension
     #[command(disable_help_flag = true)]
     Modes(commands::ToolArguments),
+    /// How a wheelset touches its rails over the lateral displacement
+    #[command(disable_help_flag = true)]
+    Contact(commands::ToolArguments),
+    /// Creep forces, friction power and flash temperature of one contact
+    #[command(disable_help_flag = true)]
+    Creep(commands::ToolArguments),
     /// Speed at which a vehicle on straight track becomes unstable
     #[command(disable_help_flag = true)]
     CriticalSpeed(commands::ToolArguments),
@@ -69,6 +75,8 @@ fn main() -> miette::Result<()> {
         Command::Interface { fmu, xml } => commands::interface(&fmu, xml),
         Command::Schema => commands::schema(),
         Command::Modes(arguments) => commands::tool("modes", &arguments),
+        Command::Contact(arguments) => commands::tool("contact", &arguments),
+        Command::Creep(arguments) => commands::tool("creep", &arguments),
         Command::CriticalSpeed(arguments) => commands::tool("critical-speed", &arguments),
     }
 }

@@ -1,7 +1,8 @@
 //! Cost of what a vehicle evaluates for each wheel in each step, and of making a table.
 
 use contact::{
-    GeometryTable, Polach, ProfilePair, RailProfile, SlipVelocity, WheelProfile, wheelset_geometry,
+    CreepLaw, FallingFriction, GeometryTable, ModifiedFastsim, Polach, ProfilePair, RailProfile,
+    Reduction, SlipVelocity, WheelProfile, wheelset_geometry,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -13,11 +14,28 @@ fn evaluation(c: &mut Criterion) {
     let point = table.at(0.002);
     let patch = point.patch(110e3);
     let slip = SlipVelocity { longitudinal: 0.05, lateral: 0.02, spin: 1.0 };
-    c.bench_function("table lookup", |b| b.iter(|| table.at(black_box(0.00213))));
-    c.bench_function("loaded patch", |b| b.iter(|| black_box(&point).patch(black_box(110e3))));
-    c.bench_function("Polach", |b| {
-        b.iter(|| Polach::DRY.force(black_box(&patch), black_box(&slip), black_box(20.0)))
+    c.bench_function("contact search: one patch from the table", |b| {
+        b.iter(|| table.patch(0, black_box(0.00213), black_box(1e-6)))
     });
+    c.bench_function("loaded patch", |b| b.iter(|| black_box(&point).patch(black_box(110e3))));
+    let friction = FallingFriction::constant(0.3);
+    let reduction = Reduction::EUROSPRINTER;
+    for (name, law) in [
+        (
+            "modified FASTSIM by table",
+            CreepLaw::Fastsim(ModifiedFastsim::by_table(reduction, friction)),
+        ),
+        (
+            "modified FASTSIM on line, 10 x 20",
+            CreepLaw::Fastsim(ModifiedFastsim::on_line(reduction, friction, 5, 20)),
+        ),
+        ("Polach", CreepLaw::Polach(Polach::DRY)),
+        ("Shen-Hedrick-Elkins", CreepLaw::ShenHedrickElkins(friction)),
+    ] {
+        c.bench_function(&format!("creep law: {name}"), |b| {
+            b.iter(|| law.force(black_box(&patch), black_box(&slip), black_box(20.0)))
+        });
+    }
     c.bench_function("wheelset geometry", |b| {
         b.iter(|| wheelset_geometry(&pair, black_box(0.003), 0.0))
     });
@@ -26,7 +44,7 @@ fn evaluation(c: &mut Criterion) {
     c.bench_function("making a table", |b| {
         b.iter(|| {
             radius += 1e-6;
-            let pair = ProfilePair { nominal_radius: radius, ..pair };
+            let pair = ProfilePair { nominal_radius: radius, ..pair.clone() };
             GeometryTable::shared(&pair)
         })
     });

@@ -5,17 +5,27 @@
 pub enum ContactError {
     /// No wheel profile has this name.
     #[error(
-        "there is no wheel profile \"{name}\"; known are S1002 and cone-1-n with n from 5 to 200, such as cone-1-20"
+        "there is no wheel profile \"{name}\"; known are S1002, cone-1-n with n from 5 to 200, such as cone-1-20, and files of points that end in .prw, .txt or .csv"
     )]
     UnknownWheelProfile {
         /// Name that was asked for.
         name: String,
     },
     /// No rail profile has this name.
-    #[error("there is no rail profile \"{name}\"; known are 60E1, UIC60-manchester and round-300")]
+    #[error(
+        "there is no rail profile \"{name}\"; known are 60E1, AS60, UIC60-manchester, round-300, and files of points that end in .prr, .txt or .csv"
+    )]
     UnknownRailProfile {
         /// Name that was asked for.
         name: String,
+    },
+    /// A file of points cannot be used.
+    #[error("{file}: {reason}")]
+    ProfileFile {
+        /// Name of the file.
+        file: String,
+        /// What is wrong, with the line.
+        reason: String,
     },
     /// A dimension lies outside what makes sense.
     #[error("{quantity} must be {allowed}, but is {value}")]

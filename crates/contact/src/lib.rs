@@ -38,4 +38,5 @@ pub use geometry::table::GeometryTable;
 pub use geometry::wheelset::{WheelContact, WheelsetGeometry, wheelset_geometry};
 pub use material::{Material, STEEL};
 pub use profile::cone::Cone;
+pub use profile::points::PointProfile;
 pub use profile::{ProfilePoint, RailProfile, WheelProfile};

@@ -13,6 +13,7 @@
 //! | `propulsion.rs` | its sections on traction and dynamic brake |
 //! | `brake.rs` | its sections on friction brakes |
 //! | `multibody.rs` | its section for the three-dimensional model; `multibody_check.rs` checks it |
+//! | `creep.rs` | the creep law of that section |
 //! | `elements.rs` | the force elements of that section; `elements_check.rs` checks them |
 //! | `gear_file.rs`, `wedge.rs` | the draft-gear file |
 //! | `draft_gear.rs`, `force_curve.rs` | what it comes down to: forces over deflections |
@@ -22,6 +23,7 @@
 mod brake;
 mod check;
 mod consist;
+mod creep;
 mod curve_resistance;
 mod draft_gear;
 mod elements;
@@ -41,6 +43,7 @@ pub use brake::{
 };
 pub use check::{Check, StockError};
 pub use consist::{Consist, Member};
+pub use creep::{CreepLaw, CreepLawKind};
 pub use curve_resistance::{CurveFormula, CurveTable};
 pub use draft_gear::{Characteristic, DraftGear, Orifice};
 pub use elements::{
@@ -49,7 +52,7 @@ pub use elements::{
 };
 pub use force_curve::ForceCurve;
 pub use library::{Library, read_toml};
-pub use multibody::{Body, CouplerAttachment, CreepLaw, Multibody, WheelRailContact, Wheelset};
+pub use multibody::{Body, CouplerAttachment, Multibody, WheelRailContact, Wheelset};
 pub use propulsion::{
     Between, DynamicBrake, EffortByNotch, EffortBySpeed, NOTCHES, Traction, ValueBySpeed,
 };

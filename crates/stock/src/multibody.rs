@@ -7,6 +7,7 @@
 use serde::Deserialize;
 
 use crate::check::{Check, StockError};
+use crate::creep::CreepLaw;
 use crate::elements::{
     CentrePlate, Damper, Friction, Rod, RotationalSpring, SideBearer, Spring, Stop,
     TabulatedSpring, Wedge,
@@ -83,26 +84,8 @@ pub struct WheelRailContact {
     pub flange_back_distance_mm: f64,
     /// Damping force over normal force for a speed of approach, s/m.
     pub damping_s_m: f64,
-    /// Polach's creep law.
+    /// Creep law with its friction.
     pub creep: CreepLaw,
-}
-
-/// Parameters of Polach's creep law and of its falling friction.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
-#[serde(deny_unknown_fields)]
-pub struct CreepLaw {
-    /// Where the values come from.
-    pub source: String,
-    /// Reduction of the initial slope in the area of adhesion (kA).
-    pub adhesion_factor: f64,
-    /// Reduction in the area of slip (kS).
-    pub slip_factor: f64,
-    /// Friction coefficient without slip (mu0).
-    pub friction: f64,
-    /// Ratio of the friction at infinite slip velocity to `friction` (A).
-    pub limit_ratio: f64,
-    /// Decay of the friction with the slip velocity (B), s/m.
-    pub decay_s_m: f64,
 }
 
 /// A car body or a bogie frame.

@@ -86,13 +86,7 @@ impl<'a> Checker<'a> {
         let gauge = contact.gauge_mm;
         check.between("flange_back_distance_mm", back, gauge - 150.0, gauge - 30.0)?;
         check.between("damping_s_m", contact.damping_s_m, 0.0, 10.0)?;
-        let creep = &contact.creep;
-        let check = check.section("creep");
-        check.between("adhesion_factor", creep.adhesion_factor, 0.01, 1.0)?;
-        check.between("slip_factor", creep.slip_factor, 0.01, creep.adhesion_factor)?;
-        check.between("friction", creep.friction, 0.01, 1.0)?;
-        check.between("limit_ratio", creep.limit_ratio, 0.01, 1.0)?;
-        check.between("decay_s_m", creep.decay_s_m, 0.0, 10.0)
+        contact.creep.check(&check.section("creep"))
     }
 }
 
@@ -126,8 +120,6 @@ mod tests {
         damping_s_m = 0.9
         [contact.creep]
         source = "test"
-        adhesion_factor = 1.0
-        slip_factor = 0.4
         friction = 0.3
         limit_ratio = 0.4
         decay_s_m = 0.6
@@ -156,6 +148,6 @@ mod tests {
         assert!(message("\"frame\", \"axle\"", "\"frame\", \"axel\"").contains("axel"));
         assert!(message("[0.0, 1.0, 0.46]", "[0.0, 1.0, 0.5]").contains("act in the axle"));
         assert!(message("[0.0, 1.0, 0.46]", "").contains("at least one point"));
-        assert!(message("slip_factor = 0.4", "slip_factor = 2.0").contains("slip_factor"));
+        assert!(message("limit_ratio = 0.4", "limit_ratio = 2.0").contains("creep.limit_ratio"));
     }
 }

@@ -6,10 +6,14 @@
 //!
 //! | file | command |
 //! |---|---|
+//! | `contact.rs` | `hotfoot contact`: how a wheelset touches its rails |
+//! | `creep.rs` | `hotfoot creep`: creep forces, friction power and flash temperature |
 //! | `modes.rs` | `hotfoot modes`: natural frequencies, damping and shapes of a vehicle |
 //! | `critical_speed.rs` | `hotfoot critical-speed`: the speed at which it becomes unstable |
 //! | `vehicle_argument.rs` | the vehicle that a command is about |
 
+pub mod contact;
+pub mod creep;
 pub mod critical_speed;
 pub mod modes;
 mod vehicle_argument;

@@ -1,7 +1,7 @@
 //! The program `hotfoot-tools`, which `hotfoot` starts for its engineering commands.
 
 use clap::{Parser, Subcommand};
-use tools::{critical_speed, modes};
+use tools::{contact, creep, critical_speed, modes};
 
 /// Engineering commands of Hotfoot that ask a model directly.
 #[derive(Parser)]
@@ -15,6 +15,10 @@ struct Arguments {
 enum Command {
     /// Natural frequencies, damping and shapes of a vehicle on its suspension
     Modes(modes::ModesArguments),
+    /// How a wheelset touches its rails over the lateral displacement
+    Contact(contact::ContactArguments),
+    /// Creep forces, friction power and flash temperature of one contact
+    Creep(creep::CreepArguments),
     /// Speed at which a vehicle on straight track becomes unstable
     CriticalSpeed(critical_speed::CriticalSpeedArguments),
 }
@@ -26,6 +30,8 @@ fn main() -> miette::Result<()> {
     }))?;
     match Arguments::parse().command {
         Command::Modes(arguments) => modes::modes(&arguments),
+        Command::Contact(arguments) => contact::contact(&arguments),
+        Command::Creep(arguments) => creep::creep(&arguments),
         Command::CriticalSpeed(arguments) => critical_speed::critical_speed(&arguments),
     }
 }

@@ -7,7 +7,6 @@
 
 use std::sync::Arc;
 
-use contact::Polach;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
@@ -297,8 +296,7 @@ impl Dynamics {
     /// The wheelsets, and the reaction of their drives.
     fn roll(&mut self, step: f64, inputs: &Inputs) {
         let structure = &*self.structure;
-        let mut creep: Polach = structure.creep;
-        creep.friction.static_coefficient = inputs.friction;
+        let creep = structure.creep.with_friction(inputs.friction);
         for (i, data) in structure.wheelsets.iter().enumerate() {
             let drive = Drive {
                 torque: -inputs.traction * data.traction_share * data.wheel.radius,

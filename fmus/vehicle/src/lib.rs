@@ -4,6 +4,7 @@
 //! | file | part |
 //! |---|---|
 //! | `structure.rs` | a vehicle file compiled into flat arrays |
+//! | `creep_law.rs` | the creep law that a vehicle file chooses |
 //! | `frame.rs` | the frames that follow the track |
 //! | `body.rs` | a rigid body in its frame, with the frame's inertia forces |
 //! | `suspension/` | springs, dampers, stops, friction: one file for each element |
@@ -23,6 +24,7 @@
 //! direction, y to the right, z down; SI units.
 
 pub mod body;
+mod creep_law;
 pub mod drive;
 pub mod dynamics;
 pub mod energy;

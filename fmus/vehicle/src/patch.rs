@@ -4,7 +4,7 @@
 //! the three directions of the contact from the wheelset's velocities (vx, vy, vz, wx, wy, wz);
 //! their transposes carry the forces back, so that force and slip have the same power.
 
-use contact::{ContactPatch, ContactPoint, CreepForces, Polach, SlipVelocity};
+use contact::{ContactPatch, ContactPoint, CreepForces, CreepLaw, SlipVelocity};
 
 use crate::body::BodyState;
 use crate::six::{Six, dot};
@@ -101,7 +101,7 @@ impl Patch {
     /// Finds the forces with the wheelset's velocities against the track's frame; `speed` is that
     /// of travel.
     #[inline]
-    pub fn load(&mut self, damping: f64, creep: &Polach, velocities: &Six, speed: f64) {
+    pub fn load(&mut self, damping: f64, creep: &CreepLaw, velocities: &Six, speed: f64) {
         let normal_damping = self.elastic_force * damping;
         let normal = self.elastic_force + normal_damping * dot(&self.normal, velocities);
         if normal > 0.0 {

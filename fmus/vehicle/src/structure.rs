@@ -2,12 +2,13 @@
 
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
-use contact::{ContactError, FallingFriction, GeometryTable, Polach, ProfilePair};
+use contact::{ContactError, CreepLaw, GeometryTable, ProfilePair};
 use contact::{RailProfile, WheelProfile};
 use nalgebra::Vector3;
 use stock::Multibody;
 
 use crate::body::RigidBody;
+use crate::creep_law;
 use crate::linear;
 use crate::statics::{self, Loose};
 use crate::suspension::Suspension;
@@ -59,7 +60,7 @@ pub struct Structure {
     /// Force elements.
     pub suspension: Suspension,
     /// Creep law.
-    pub creep: Polach,
+    pub creep: CreepLaw,
     /// Greatest natural circular frequency, rad/s, with all friction sticking.
     pub highest_frequency: f64,
     /// Couplers' arms from the first body's centre of mass: front, rear, m.
@@ -106,7 +107,7 @@ impl Structure {
             highest_frequency: 0.0,
             couplers: [coupler(half), coupler(-half)],
             suspension: Suspension::new(multibody, &bodies),
-            creep: creep(&multibody.contact.creep),
+            creep: creep_law::compiled(&multibody.contact.creep),
             bodies,
             wheelsets,
         };
@@ -202,16 +203,4 @@ fn wheelsets(
         });
     }
     Ok(wheelsets)
-}
-
-fn creep(creep: &stock::CreepLaw) -> Polach {
-    Polach {
-        adhesion_factor: creep.adhesion_factor,
-        slip_factor: creep.slip_factor,
-        friction: FallingFriction {
-            static_coefficient: creep.friction,
-            limit_ratio: creep.limit_ratio,
-            decay: creep.decay_s_m,
-        },
-    }
 }

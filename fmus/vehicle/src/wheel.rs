@@ -1,6 +1,6 @@
 //! One wheel on its rail: the contacts in which it touches.
 
-use contact::{GeometryTable, Polach};
+use contact::{CreepLaw, GeometryTable};
 
 use crate::body::BodyState;
 use crate::patch::Patch;
@@ -90,7 +90,7 @@ impl Wheel {
     /// Finds the forces of all contacts with the wheelset's velocities against the track's frame;
     /// `speed` is that of travel.
     #[inline]
-    pub fn load(&mut self, data: &WheelData, creep: &Polach, velocities: &Six, speed: f64) {
+    pub fn load(&mut self, data: &WheelData, creep: &CreepLaw, velocities: &Six, speed: f64) {
         for patch in &mut self.patches[..self.count] {
             patch.load(data.damping, creep, velocities, speed);
         }

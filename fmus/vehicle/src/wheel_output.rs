@@ -98,7 +98,7 @@ impl EndForces {
         let (forces, creep) = (&patch.forces, &patch.forces.creep);
         Self {
             longitudinal: creep.longitudinal - creep.damping * dot(&patch.longitudinal, change),
-            lateral: creep.lateral - creep.damping * dot(&patch.lateral, change),
+            lateral: creep.lateral - creep.lateral_damping * dot(&patch.lateral, change),
             normal: forces.normal + forces.normal_damping * dot(&patch.normal, change),
             spin: creep.spin_moment,
         }

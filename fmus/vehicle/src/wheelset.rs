@@ -5,7 +5,7 @@
 //! secants of the creep law (never negative) and the normal damping, J the rows of the contacts.
 //! Then (M + h Jᵀ D J) dv = h (F + Jᵀ f) (eq. 25), a definite system of six.
 
-use contact::Polach;
+use contact::CreepLaw;
 use nalgebra::Vector3;
 
 use crate::body::{BodyState, RigidBody, Wrench};
@@ -29,7 +29,7 @@ pub struct WheelsetStep<'a> {
     /// Left and right rail.
     pub rails: [RailMotion; 2],
     /// Creep law with the friction of now.
-    pub creep: &'a Polach,
+    pub creep: &'a CreepLaw,
     /// Force and moment of suspension, weight, frame and drive.
     pub wrench: Wrench,
     /// Drive and brake.
@@ -60,14 +60,13 @@ impl WheelsetStep<'_> {
         let after: Six = std::array::from_fn(|i| before[i] + change[i]);
         (state.velocity, state.angular_velocity) = six::split(&after);
         let end = difference(&after, &carrier);
-        let mut output = |i: usize| {
+        let outputs = [0, 1].map(|i| {
             let motion = Motion { change, after: self.rails[i].against(&end), speed: after[0] };
             let (output, heat) = WheelOutput::new(&wheels[i], &motion);
             account.friction_heat += self.step * heat.friction;
             account.contact_heat += self.step * heat.damping;
             output
-        };
-        let outputs = [output(0), output(1)];
+        });
         let brake = drive.brake_torque(change[4]);
         self.drive.account(brake, before[4] + 0.5 * change[4], self.step, account);
         (outputs, brake)
@@ -93,13 +92,13 @@ impl WheelsetStep<'_> {
         matrix[4][4] += self.step * drive.damping;
         for patch in wheels.iter().flat_map(Wheel::patches) {
             let forces = &patch.forces;
-            let creep = self.step * forces.creep.damping;
-            add_outer(&mut matrix, creep, &patch.longitudinal);
-            add_outer(&mut matrix, creep, &patch.lateral);
+            let creep = &forces.creep;
+            add_outer(&mut matrix, self.step * creep.damping, &patch.longitudinal);
+            add_outer(&mut matrix, self.step * creep.lateral_damping, &patch.lateral);
             add_outer(&mut matrix, self.step * forces.normal_damping, &patch.normal);
-            add(&mut right, forces.creep.longitudinal, &patch.longitudinal);
-            add(&mut right, forces.creep.lateral, &patch.lateral);
-            add(&mut right, forces.creep.spin_moment, &patch.spin);
+            add(&mut right, creep.longitudinal, &patch.longitudinal);
+            add(&mut right, creep.lateral, &patch.lateral);
+            add(&mut right, creep.spin_moment, &patch.spin);
             add(&mut right, -forces.normal, &patch.normal);
         }
         right.iter_mut().for_each(|value| *value *= self.step);

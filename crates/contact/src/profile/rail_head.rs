@@ -1,6 +1,7 @@
-//! A rail head made of circular arcs, upright or inclined.
+//! A rail head made of circular arcs or of points, upright or inclined.
 
 use super::ProfilePoint;
+use super::points::PointProfile;
 
 /// One arc of a symmetric head, given from the middle outwards.
 #[derive(Clone, Copy, Debug)]
@@ -39,13 +40,67 @@ struct Arc {
 /// The outline of a rail head from the gauge side (negative) to the field side (positive); its
 /// highest point is the origin.
 #[derive(Clone, Debug)]
-pub(crate) struct RailHead {
+pub(crate) enum RailHead {
+    /// Circular arcs.
+    Arcs(Arcs),
+    /// Points.
+    Points(PointProfile),
+}
+
+/// The outline as arcs.
+#[derive(Clone, Debug)]
+pub(crate) struct Arcs {
     arcs: Vec<Arc>,
 }
 
 impl RailHead {
-    /// An upright head, symmetric about its middle.
+    /// An upright head of arcs, symmetric about its middle.
     pub(super) fn symmetric(half_arcs: &[HalfArc]) -> Self {
+        Self::Arcs(Arcs::symmetric(half_arcs))
+    }
+
+    /// An upright head of points.
+    pub(super) fn of_points(points: &PointProfile) -> Self {
+        Self::Points(points.inclined(0.0))
+    }
+
+    /// The head leaning towards the track's middle by `inclination` (such as 1/40), moved so that
+    /// its highest point is the origin again.
+    pub(crate) fn inclined(&self, inclination: f64) -> Self {
+        match self {
+            Self::Arcs(arcs) => Self::Arcs(arcs.inclined(inclination)),
+            Self::Points(points) => Self::Points(points.inclined(inclination)),
+        }
+    }
+
+    /// The outline at `lateral` metres from the highest point; outside the head its end.
+    pub(crate) fn at(&self, lateral: f64) -> ProfilePoint {
+        match self {
+            Self::Arcs(arcs) => arcs.at(lateral),
+            Self::Points(points) => points.at(lateral),
+        }
+    }
+
+    /// Lateral places of the gauge side's and the field side's end, in m.
+    pub(crate) fn range(&self) -> (f64, f64) {
+        match self {
+            Self::Arcs(arcs) => arcs.range(),
+            Self::Points(points) => points.range(),
+        }
+    }
+
+    /// Lateral place of the gauge face `depth` metres below the top.
+    pub(crate) fn gauge_face(&self, depth: f64) -> f64 {
+        match self {
+            Self::Arcs(arcs) => arcs.gauge_face(depth),
+            Self::Points(points) => points.gauge_face(depth),
+        }
+    }
+}
+
+impl Arcs {
+    /// An upright head, symmetric about its middle.
+    fn symmetric(half_arcs: &[HalfArc]) -> Self {
         let mut field = Vec::with_capacity(half_arcs.len());
         let mut begin = (0.0, 0.0);
         let mut sine = 0.0_f64;
@@ -70,7 +125,7 @@ impl RailHead {
 
     /// The head leaning towards the track's middle by `inclination` (such as 1/40), moved so that
     /// its highest point is the origin again.
-    pub(crate) fn inclined(&self, inclination: f64) -> Self {
+    fn inclined(&self, inclination: f64) -> Self {
         let angle = inclination.atan();
         let turn = |(y, z): (f64, f64)| {
             let (sine, cosine) = angle.sin_cos();
@@ -101,7 +156,7 @@ impl RailHead {
     }
 
     /// The outline at `lateral` metres from the highest point; outside the head its end.
-    pub(crate) fn at(&self, lateral: f64) -> ProfilePoint {
+    fn at(&self, lateral: f64) -> ProfilePoint {
         let (first, last) = self.range();
         let y = lateral.clamp(first, last);
         let arc = self.arcs.iter().find(|arc| y <= arc.end.0);
@@ -112,13 +167,13 @@ impl RailHead {
     }
 
     /// Lateral places of the gauge side's and the field side's end, in m.
-    pub(crate) fn range(&self) -> (f64, f64) {
+    fn range(&self) -> (f64, f64) {
         (self.arcs[0].begin.0, self.arcs[self.arcs.len() - 1].end.0)
     }
 
     /// Lateral place of the gauge face `depth` metres below the top. Below the last arc the face
     /// goes on along its tangent.
-    pub(crate) fn gauge_face(&self, depth: f64) -> f64 {
+    fn gauge_face(&self, depth: f64) -> f64 {
         let first = &self.arcs[0];
         if depth > first.begin.1 {
             let steepness =

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 const MM: f64 = 1e-3;
 
-const PAIRS: [(&str, &str); 4] = [
+const PAIRS: [(&str, &str); 5] = [
+    ("S1002", "AS60"),
     ("S1002", "60E1"),
     ("S1002", "UIC60-manchester"),
     ("cone-1-20", "60E1"),
@@ -146,11 +147,11 @@ fn one_table_serves_all_who_ask_for_the_same_pair() {
 fn impossible_dimensions_are_named() {
     let good = pair("S1002", "60E1");
     for (pair, word) in [
-        (ProfilePair { nominal_radius: -0.5, ..good }, "radius"),
-        (ProfilePair { nominal_radius: f64::NAN, ..good }, "radius"),
-        (ProfilePair { gauge: 1435.0, ..good }, "gauge"),
-        (ProfilePair { flange_back_distance: 1.5, ..good }, "flange-back"),
-        (ProfilePair { rail_inclination: 20.0, ..good }, "inclination"),
+        (ProfilePair { nominal_radius: -0.5, ..good.clone() }, "radius"),
+        (ProfilePair { nominal_radius: f64::NAN, ..good.clone() }, "radius"),
+        (ProfilePair { gauge: 1435.0, ..good.clone() }, "gauge"),
+        (ProfilePair { flange_back_distance: 1.5, ..good.clone() }, "flange-back"),
+        (ProfilePair { rail_inclination: 20.0, ..good.clone() }, "inclination"),
     ] {
         let error = GeometryTable::shared(&pair).unwrap_err();
         assert!(matches!(error, ContactError::OutOfRange { .. }));

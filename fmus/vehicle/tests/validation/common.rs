@@ -101,6 +101,7 @@ const FREE_WHEELSETS: &str = r#"
     damping_s_m = 0.9
     [contact.creep]
     source = "Kalker, constant friction"
+    law = "polach"
     adhesion_factor = 1.0
     slip_factor = 1.0
     friction = 0.36

@@ -1,0 +1,161 @@
+//! `hotfoot creep`: creep forces, friction power and flash temperature of one contact.
+
+use clap::{Args, ValueEnum};
+use contact::hertz::UnitContact;
+use contact::kalker::CreepCoefficients;
+use contact::{
+    ContactPatch, CreepForces, CreepLaw, FallingFriction, ModifiedFastsim, Polach, Reduction,
+    STEEL, SlipVelocity,
+};
+use miette::{Result, ensure, miette};
+use railheat::creep_force::Contact;
+use railheat::flash_temperature::flash_rise;
+use railheat::material::Material;
+
+const MM: f64 = 1e-3;
+
+/// Share of the friction heat that flows into the rail: half, for equal steels.
+const PARTITION: f64 = 0.5;
+
+/// The law.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Law {
+    ModifiedFastsim,
+    FastsimOnLine,
+    Polach,
+    ShenHedrickElkins,
+    KalkerLinear,
+}
+
+/// Arguments of `hotfoot creep`. Left-out creepages are zero; a single one serves for all rows.
+#[derive(Args)]
+pub struct CreepArguments {
+    /// Creep law
+    #[arg(long, value_enum, default_value = "modified-fastsim")]
+    law: Law,
+    /// Normal force, N
+    #[arg(long)]
+    load: f64,
+    /// Semi-axes of the contact in the rolling direction and across, mm; or give --radii-m
+    #[arg(long, value_delimiter = ',', num_args = 2, conflicts_with = "radii_m")]
+    semi_axes_mm: Option<Vec<f64>>,
+    /// Relative radii of curvature in the rolling direction and across, m, such as 0.5,0.3 for a
+    /// wheel of 0.5 m radius with a straight tread on a rail head of 0.3 m
+    #[arg(long, value_delimiter = ',', num_args = 2)]
+    radii_m: Option<Vec<f64>>,
+    /// Friction coefficient without slip
+    #[arg(long, default_value_t = 0.36)]
+    friction: f64,
+    /// Friction at infinite slip velocity by that without slip; 1: Coulomb's constant friction
+    #[arg(long, default_value_t = 1.0)]
+    limit_ratio: f64,
+    /// How fast friction falls with the slip velocity, s/m
+    #[arg(long, default_value_t = 0.0)]
+    decay: f64,
+    /// Modified FASTSIM: k0, alpha and beta; 1,1,0 is FASTSIM
+    #[arg(long, value_delimiter = ',', num_args = 3, default_values_t = [1.0, 1.0, 0.0])]
+    reduction: Vec<f64>,
+    /// Polach: kA and kS
+    #[arg(long, value_delimiter = ',', num_args = 2, default_values_t = [1.0, 1.0])]
+    factors: Vec<f64>,
+    /// Speed, m/s
+    #[arg(long, default_value_t = 10.0)]
+    speed: f64,
+    /// Longitudinal creepages
+    #[arg(long, value_delimiter = ',', default_value = "0", allow_hyphen_values = true)]
+    longitudinal: Vec<f64>,
+    /// Lateral creepages
+    #[arg(long, value_delimiter = ',', default_value = "0", allow_hyphen_values = true)]
+    lateral: Vec<f64>,
+    /// Spin creepages, 1/m
+    #[arg(long, value_delimiter = ',', default_value = "0", allow_hyphen_values = true)]
+    spin: Vec<f64>,
+}
+
+/// Prints a row of comma-separated values for each creepage.
+///
+/// # Errors
+/// When the contact is not given, or the lists of creepages differ in length.
+pub fn creep(arguments: &CreepArguments) -> Result<()> {
+    ensure!(arguments.load > 0.0, "--load must be greater than zero");
+    ensure!(arguments.speed > 0.0, "--speed must be greater than zero");
+    ensure!(
+        arguments.friction > 0.0 && arguments.limit_ratio >= 0.0 && arguments.decay >= 0.0,
+        "--friction must be greater than zero, --limit-ratio and --decay not negative"
+    );
+    let patch = patch(arguments)?;
+    let law = law(arguments);
+    let lists = [&arguments.longitudinal, &arguments.lateral, &arguments.spin];
+    let rows = lists.iter().map(|list| list.len()).max().unwrap_or(0);
+    ensure!(
+        lists.iter().all(|list| list.len() == 1 || list.len() == rows),
+        "the lists of creepages must have the same length, or one value for all rows"
+    );
+    println!(
+        "longitudinal,lateral,spin_1_m,force_longitudinal_n,force_lateral_n,spin_moment_n_m,\
+         friction_power_w,flash_temperature_k"
+    );
+    for i in 0..rows {
+        let [xi, eta, phi] = lists.map(|list| list[i.min(list.len() - 1)]);
+        let speed = arguments.speed;
+        let slip =
+            SlipVelocity { longitudinal: speed * xi, lateral: speed * eta, spin: speed * phi };
+        let CreepForces { longitudinal, lateral, spin_moment, friction_power, .. } =
+            law.force(&patch, &slip, speed);
+        let flash = flash(&patch, friction_power, speed);
+        println!(
+            "{xi},{eta},{phi},{longitudinal:.3},{lateral:.3},{spin_moment:.4},\
+             {friction_power:.4},{flash:.3}"
+        );
+    }
+    Ok(())
+}
+
+/// The contact ellipse, given or by Hertz.
+fn patch(arguments: &CreepArguments) -> Result<ContactPatch> {
+    let positive = |values: &[f64]| values.iter().all(|value| *value > 0.0 && value.is_finite());
+    let (a, b) = match (&arguments.semi_axes_mm, &arguments.radii_m) {
+        (Some(axes), None) if positive(axes) => (axes[0] * MM, axes[1] * MM),
+        (None, Some(radii)) if positive(radii) => {
+            let hertz = UnitContact::new(0.5 / radii[0], 0.5 / radii[1], &STEEL);
+            let scale = arguments.load.cbrt();
+            (hertz.semi_axis_rolling * scale, hertz.semi_axis_lateral * scale)
+        }
+        _ => return Err(miette!("give --semi-axes-mm A,B or --radii-m RX,RY, greater than zero")),
+    };
+    let kalker = CreepCoefficients::new(a / b, STEEL.poisson_ratio);
+    Ok(ContactPatch { normal_force: arguments.load, a, b, kalker })
+}
+
+fn law(arguments: &CreepArguments) -> CreepLaw {
+    let friction = FallingFriction {
+        static_coefficient: arguments.friction,
+        limit_ratio: arguments.limit_ratio,
+        decay: arguments.decay,
+    };
+    let reduction = Reduction {
+        initial: arguments.reduction[0],
+        remaining: arguments.reduction[1],
+        fall: arguments.reduction[2],
+    };
+    match arguments.law {
+        Law::ModifiedFastsim => CreepLaw::Fastsim(ModifiedFastsim::by_table(reduction, friction)),
+        Law::FastsimOnLine => {
+            CreepLaw::Fastsim(ModifiedFastsim::on_line(reduction, friction, 20, 100))
+        }
+        Law::Polach => CreepLaw::Polach(Polach {
+            adhesion_factor: arguments.factors[0],
+            slip_factor: arguments.factors[1],
+            friction,
+        }),
+        Law::ShenHedrickElkins => CreepLaw::ShenHedrickElkins(friction),
+        Law::KalkerLinear => CreepLaw::KalkerLinear,
+    }
+}
+
+/// Highest rise of the rail's surface behind the contact, in K.
+fn flash(patch: &ContactPatch, friction_power: f64, speed: f64) -> f64 {
+    let contact = Contact { normal_force: patch.normal_force, a: patch.a, b: patch.b };
+    // Power by speed is the energy on a metre: force times creepage.
+    flash_rise(&contact, friction_power / speed, 1.0, speed, PARTITION, &Material::PAPER)
+}
