@@ -101,6 +101,25 @@ fn a_vehicle_type_that_is_not_in_stock_is_named() {
     assert_says(&refusal(&scenario.run(&[])), &["wagon-of-gold"]);
 }
 
+#[test]
+fn a_corrupt_package_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("bad.ssp"), "no archive").unwrap();
+    let message = refusal(&hotfoot(folder.path(), &["run", "bad.ssp", "--results", "r"]));
+    assert_says(&message, &["bad.ssp"]);
+}
+
+#[test]
+fn a_step_of_zero_for_a_package_is_answered() {
+    let scenario = SmallScenario::new(1.0);
+    let exported = scenario.hotfoot(&["export-ssp", "scenario.toml", "-o", "train.ssp"]);
+    assert!(exported.status.success(), "{}", String::from_utf8_lossy(&exported.stderr));
+    let output = String::from_utf8_lossy(&exported.stdout).into_owned();
+    assert_says(&output, &["12 components", "the scenario's scheme is sequential"]);
+    let run = ["run", "train.ssp", "--results", "r", "--step", "0"];
+    assert_says(&refusal(&scenario.hotfoot(&run)), &["--step 0", "greater than zero"]);
+}
+
 /// The small scenario with one more line in its table of heat.
 fn with_heat(line: &str) -> SmallScenario {
     let mut scenario = SmallScenario::new(1.0);

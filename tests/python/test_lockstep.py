@@ -24,8 +24,8 @@ def compare(results, types, states, wheels=()):
     (vehicle, wheelset, side) of the wanted creepages, the same for each vehicle."""
     times, of_train, of_vehicles, of_rail = map(np.array, zip(*states))
     vehicles = parquet.read_table(results / "series" / "vehicles.parquet").to_pandas()
-    train = parquet.read_table(results / "series" / "train.parquet").to_pandas()
-    np.testing.assert_allclose(train.time, times, rtol=1e-12)
+    rail = parquet.read_table(results / "series" / "rail.parquet").to_pandas()
+    np.testing.assert_allclose(rail.time, times, rtol=1e-12)
     for i in range(len(types)):
         ours = vehicles[vehicles.vehicle == i + 1]
         close(ours.position, of_vehicles[:, i, 0], f"position of vehicle {i + 1}")
@@ -33,7 +33,7 @@ def compare(results, types, states, wheels=()):
         close(ours.coupler_front_force, of_train[:, i, 2], f"front coupler of vehicle {i + 1}")
         close(ours.coupler_rear_force, of_train[:, i, 3], f"rear coupler of vehicle {i + 1}")
     for place, name in enumerate(RAIL_OUTPUTS):
-        close(train[f"rail.{name}"], of_rail[:, place], name)
+        close(rail[name], of_rail[:, place], name)
     recorded = parquet.read_table(results / "series" / "wheels.parquet").to_pandas()
     for i in sorted(recorded.vehicle.unique()):
         for place, (j, side) in enumerate(wheels):

@@ -1,5 +1,6 @@
 //! What the tests of the whole system share: where things are, small scenarios, and the program.
 
+pub mod fmu_copy;
 pub mod hostile;
 
 use std::path::{Path, PathBuf};
@@ -81,10 +82,18 @@ impl SmallScenario {
     /// # Panics
     /// When the files cannot be written.
     pub fn run(&self, arguments: &[&str]) -> Output {
-        self.write();
         let mut all = vec!["run", "scenario.toml", "--quiet", "--results", "results"];
         all.extend(arguments);
-        hotfoot(self.folder.path(), &all)
+        self.hotfoot(&all)
+    }
+
+    /// Writes the files and runs the program in their folder.
+    ///
+    /// # Panics
+    /// When the files cannot be written.
+    pub fn hotfoot(&self, arguments: &[&str]) -> Output {
+        self.write();
+        hotfoot(self.folder.path(), arguments)
     }
 
     /// Runs the scenario, which must succeed.

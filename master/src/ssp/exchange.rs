@@ -1,5 +1,6 @@
 //! What flows between the units of a system: values by type, and links from output to input.
 
+use super::structure::Value;
 use crate::interface::VariableType;
 use crate::si::Linear;
 use crate::unit::{Unit, UnitError};
@@ -26,6 +27,12 @@ impl<T: Copy> Bank<T> {
             self.references.len() - 1
         })
     }
+
+    /// Takes in a variable with a value.
+    fn start(&mut self, reference: u32, value: T) {
+        let at = self.place(reference, value);
+        self.values[at] = value;
+    }
 }
 
 /// Variables of all types that are set or got together.
@@ -40,6 +47,27 @@ pub struct Signals {
 }
 
 impl Signals {
+    /// The place of a variable in the bank of its type; Strings have none.
+    pub fn place(&mut self, kind: VariableType, reference: u32) -> Option<usize> {
+        match kind {
+            VariableType::Real => Some(self.reals.place(reference, f64::NAN)),
+            VariableType::Integer => Some(self.integers.place(reference, 0)),
+            VariableType::Boolean => Some(self.booleans.place(reference, 0)),
+            VariableType::Text => None,
+        }
+    }
+
+    /// Takes in a variable with a value; false for Strings.
+    pub fn start(&mut self, reference: u32, value: &Value) -> bool {
+        match *value {
+            Value::Real(value) => self.reals.start(reference, value),
+            Value::Integer(value) => self.integers.start(reference, value),
+            Value::Boolean(value) => self.booleans.start(reference, value.into()),
+            Value::Text(_) => return false,
+        }
+        true
+    }
+
     /// Sends the values to the unit.
     ///
     /// # Errors
@@ -130,6 +158,16 @@ pub struct Links {
 }
 
 impl Links {
+    /// The links of a type; Strings have none.
+    pub fn of(&mut self, kind: VariableType) -> Option<&mut Vec<Link>> {
+        match kind {
+            VariableType::Real => Some(&mut self.reals),
+            VariableType::Integer => Some(&mut self.integers),
+            VariableType::Boolean => Some(&mut self.booleans),
+            VariableType::Text => None,
+        }
+    }
+
     /// Hands every output to the inputs that it is linked to, and tells `changed` of each link
     /// whose input had another value before.
     pub fn transfer(&self, parts: &mut [Part], mut changed: impl FnMut(VariableType, &Link)) {

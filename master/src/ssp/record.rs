@@ -5,7 +5,6 @@ use std::path::Path;
 
 use super::exchange::Signals;
 use super::system::System;
-use crate::interface::VariableType;
 use crate::observe::ObserveError;
 use crate::recording::{Column, SeriesWriter};
 
@@ -85,11 +84,8 @@ fn outputs(interface: &crate::Interface) -> (Signals, Vec<Column>) {
     let mut signals = Signals::default();
     let mut columns = vec![];
     for variable in interface.variables().into_iter().filter(|v| v.causality == "output") {
-        match variable.kind {
-            VariableType::Real => drop(signals.reals.place(variable.reference, 0.0)),
-            VariableType::Integer => drop(signals.integers.place(variable.reference, 0)),
-            VariableType::Boolean => drop(signals.booleans.place(variable.reference, 0)),
-            VariableType::Text => continue,
+        if signals.place(variable.kind, variable.reference).is_none() {
+            continue;
         }
         let unit = variable.unit.as_deref().unwrap_or("1");
         columns.push(Column::new(&variable.name, unit, &variable.description).double());

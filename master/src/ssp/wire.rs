@@ -15,7 +15,7 @@ use crate::fmi::{FmuInstance, Import};
 use crate::interface::{Interface, Variable, VariableType};
 use crate::lockstep::Clock;
 use crate::si::{Linear, SiUnit};
-use crate::unit::Unit;
+use crate::unit::{Unit, UnitError};
 
 /// Instantiates the FMUs of a structure, sets their parameters, and links them.
 ///
@@ -29,11 +29,7 @@ pub fn wire(
     file: &str,
     clock: Clock,
 ) -> Result<System, SspError> {
-    let unfit = |problems| SspError::Unfit { file: file.to_owned(), problems };
-    let imports = imports(structure, package).map_err(|error| match error {
-        ImportProblem::Structure(problem) => unfit(vec![problem]),
-        ImportProblem::Import(error) => error,
-    })?;
+    let imports = imports(structure, package, file)?;
     let mut wiring = Wiring { structure, system: System::empty(clock), problems: vec![] };
     for component in &structure.components {
         let import = &imports[component.source.as_str()];
@@ -54,20 +50,17 @@ pub fn wire(
     }
     match wiring.problems.is_empty() {
         true => Ok(wiring.system),
-        false => Err(unfit(wiring.problems)),
+        false => Err(SspError::Unfit { file: file.to_owned(), problems: wiring.problems }),
     }
-}
-
-enum ImportProblem {
-    Structure(String),
-    Import(SspError),
 }
 
 /// Every FMU once, however many components use it.
 fn imports<'s>(
     structure: &'s Structure,
     package: &Path,
-) -> Result<BTreeMap<&'s str, Arc<Import>>, ImportProblem> {
+    file: &str,
+) -> Result<BTreeMap<&'s str, Arc<Import>>, SspError> {
+    let unfit = |problem| SspError::Unfit { file: file.to_owned(), problems: vec![problem] };
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for component in &structure.components {
         *counts.entry(&component.source).or_default() += 1;
@@ -77,13 +70,11 @@ fn imports<'s>(
         let path = percent_decode_str(source).decode_utf8_lossy().into_owned();
         let inside = Path::new(&path).components().all(|part| matches!(part, PathPart::Normal(_)));
         if !inside {
-            let problem = format!("source=\"{source}\" must be a path inside of the package");
-            return Err(ImportProblem::Structure(problem));
+            return Err(unfit(format!("source=\"{source}\" must be a path inside of the package")));
         }
-        let import = Import::open(&package.join(path))
-            .map_err(|error| ImportProblem::Import(error.into()))?;
+        let import = Import::open(&package.join(path))?;
         if import.interface().once_per_process && count > 1 {
-            return Err(ImportProblem::Structure(format!(
+            return Err(unfit(format!(
                 "{source} allows only one instance in a process \
                  (canBeInstantiatedOnlyOncePerProcess), but {count} components use it"
             )));
@@ -129,39 +120,21 @@ impl Wiring<'_> {
         }
         let way = self.way(connection, output, input, &names)?;
         let (output, input, kind) = (output.reference, input.reference, output.kind);
-        let parts = &mut self.system.parts;
-        let (outputs, links) = match kind {
-            VariableType::Real => (
-                parts[from_part].outputs.reals.place(output, f64::NAN),
-                &mut self.system.links.reals,
-            ),
-            VariableType::Integer => (
-                parts[from_part].outputs.integers.place(output, 0),
-                &mut self.system.links.integers,
-            ),
-            VariableType::Boolean => (
-                parts[from_part].outputs.booleans.place(output, 0),
-                &mut self.system.links.booleans,
-            ),
-            VariableType::Text => {
-                return Err(format!("connection of {names}: Strings cannot be connected"));
-            }
+        let System { parts, links, .. } = &mut self.system;
+        let ends = (
+            parts[from_part].outputs.place(kind, output),
+            parts[to_part].inputs.place(kind, input),
+            links.of(kind),
+        );
+        let (Some(from_at), Some(to_at), Some(links)) = ends else {
+            return Err(format!("connection of {names}: Strings cannot be connected"));
         };
-        let inputs = &mut parts[to_part].inputs;
-        let at = match kind {
-            VariableType::Real => inputs.reals.place(input, f64::NAN),
-            VariableType::Integer => inputs.integers.place(input, 0),
-            _ => inputs.booleans.place(input, 0),
-        };
-        let link = Link {
-            from: Place { part: from_part, at: outputs },
-            to: Place { part: to_part, at },
-            way,
-        };
-        if links.iter().any(|other| other.to == link.to) {
+        let from = Place { part: from_part, at: from_at };
+        let to = Place { part: to_part, at: to_at };
+        if links.iter().any(|other| other.to == to) {
             return Err(format!("connection of {names}: the latter is connected already"));
         }
-        links.push(link);
+        links.push(Link { from, to, way });
         Ok(())
     }
 
@@ -218,7 +191,10 @@ impl Wiring<'_> {
                 }
             };
             match variable.causality == "input" {
-                true => start_input(inputs, variable.reference, &value),
+                true if !inputs.start(variable.reference, &value) => self
+                    .problems
+                    .push(format!("start value of {name}: a String input cannot be started")),
+                true => {}
                 false => set(unit.as_mut(), variable.reference, &value)?,
             }
         }
@@ -262,25 +238,7 @@ fn converted(
     }
 }
 
-fn start_input(inputs: &mut Signals, reference: u32, value: &Value) {
-    match *value {
-        Value::Real(value) => {
-            let at = inputs.reals.place(reference, value);
-            inputs.reals.values[at] = value;
-        }
-        Value::Integer(value) => {
-            let at = inputs.integers.place(reference, value);
-            inputs.integers.values[at] = value;
-        }
-        Value::Boolean(value) => {
-            let at = inputs.booleans.place(reference, value.into());
-            inputs.booleans.values[at] = value.into();
-        }
-        Value::Text(_) => {}
-    }
-}
-
-fn set(unit: &mut dyn Unit, reference: u32, value: &Value) -> Result<(), crate::unit::UnitError> {
+fn set(unit: &mut dyn Unit, reference: u32, value: &Value) -> Result<(), UnitError> {
     match value {
         Value::Real(value) => unit.set_reals(&[reference], &[*value]),
         Value::Integer(value) => unit.set_integers(&[reference], &[*value]),
