@@ -137,16 +137,16 @@ impl Elements {
         sources.bending += left.bending / length;
     }
 
-    /// An element lies under a vehicle for a time in s.
+    /// An element lies under a vehicle, or several, for all of a time in s.
     pub fn cover(&mut self, element: usize, time: f64) {
         self.touched[element] = true;
-        self.deposits[element].covered += time;
+        self.deposits[element].covered = time;
     }
 
-    /// An element lies in the shadow of a vehicle for a time in s.
+    /// An element lies in the shadow of a vehicle, or several, for all of a time in s.
     pub fn shade(&mut self, element: usize, time: f64) {
         self.touched[element] = true;
-        self.deposits[element].shaded += time;
+        self.deposits[element].shaded = time;
     }
 
     /// Number of amplitudes of an element.

@@ -125,8 +125,8 @@ fn analytic_shadow_of_a_vehicle() {
     assert!(shadow(-0.1, 0.0).is_none(), "night");
 }
 
-/// Under a standing vehicle the rail loses the direct sun on its surface, 800 W/m² on all that is lit, and nothing
-/// when the sun shines in below the floor.
+/// Under a standing vehicle the rail loses the direct sun on its surface, 800 W/m² on all that is lit, once even
+/// where the shadows of two vehicles overlap, and nothing when the sun shines in below the floor.
 #[test]
 fn analytic_shade_takes_the_direct_sun() {
     let base = parameters(outline("AS60"), Resolution::Plane, 0.012);
@@ -135,8 +135,9 @@ fn analytic_shade_takes_the_direct_sun() {
     let of = |elevation: f64| {
         let weather = Weather { sun: Sun { elevation, azimuth: 0.7 }, ..MORNING };
         let parameters = Parameters { exchange, train, ..base.clone() };
-        let mut model = energy(parameters, &weather);
-        let standing = |_| vec![Wheel { speed: 0.0, friction_power: 0.0, ..wheel(10.0) }];
+        let mut model = Energy::new(parameters, &[1, 1], &weather, 0.0).unwrap();
+        let at = |place: f64| Wheel { speed: 0.0, friction_power: 0.0, ..wheel(place) };
+        let standing = |_| vec![at(10.0), at(11.0)];
         run(&mut model, &weather, standing, 0.0, 60, 1.0);
         (model.heat_per_metre(100), model.heat_per_metre(10))
     };
