@@ -1,69 +1,15 @@
-//! `hotfoot check`: our FMUs break no rule, and each of the mutations by which the checkers of
-//! other makers were compared is found by its rule.
+//! `hotfoot check`: our FMUs break no rule and give their reference result; what is wrong with an
+//! archive, its terminals or its binary is found. The rules of modelDescription.xml have their tests
+//! in `mutations.rs` and in `master/src/check/tests.rs`.
 
 use std::path::{Path, PathBuf};
 
-use hotfoot::check::check;
-use hotfoot_tests::hostile::archive;
+use hotfoot::check::{Finding, Severity, check};
+use hotfoot_tests::fmu_copy::FmuCopy;
+use hotfoot_tests::hostile::{Claims, archive, hostile_vehicle};
 use hotfoot_tests::{fmu, hotfoot};
 
 const DESCRIPTION: &str = "modelDescription.xml";
-
-/// An unpacked FMU of ours whose files may be changed.
-struct Copy(tempfile::TempDir);
-
-impl Copy {
-    fn of(model: &str) -> Self {
-        let folder = tempfile::tempdir().unwrap();
-        let file = std::fs::File::open(fmu(model)).unwrap();
-        zip::ZipArchive::new(file).unwrap().extract(folder.path()).unwrap();
-        Self(folder)
-    }
-
-    fn file(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn text(&self, name: &str) -> String {
-        std::fs::read_to_string(self.file(name)).unwrap()
-    }
-
-    /// The FMU after one of its files has become `text`.
-    fn with(&self, name: &str, text: &str) -> PathBuf {
-        let mut files = vec![];
-        collect(self.0.path(), self.0.path(), &mut files);
-        let content = |own: &str, content: Vec<u8>| match own == name {
-            true => text.as_bytes().to_vec(),
-            false => content,
-        };
-        let files: Vec<(String, Vec<u8>)> = files
-            .into_iter()
-            .map(|(own, bytes)| {
-                let bytes = content(&own, bytes);
-                (own, bytes)
-            })
-            .collect();
-        let entries: Vec<(&str, &[u8])> =
-            files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
-        let mutant = tempfile::Builder::new().suffix(".fmu").tempfile().unwrap();
-        let path = mutant.into_temp_path().keep().unwrap();
-        archive(&path, &entries);
-        path
-    }
-}
-
-/// All files below a folder, with their names in the archive.
-fn collect(root: &Path, folder: &Path, files: &mut Vec<(String, Vec<u8>)>) {
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            collect(root, &path, files);
-        } else {
-            let name = path.strip_prefix(root).unwrap().to_str().unwrap().to_owned();
-            files.push((name, std::fs::read(&path).unwrap()));
-        }
-    }
-}
 
 #[test]
 fn our_fmus_break_no_rule_and_give_no_cause_for_advice() {
@@ -88,174 +34,20 @@ fn our_fmus_give_their_reference_result_again() {
 #[test]
 fn another_reference_result_is_noticed() {
     const RESULT: &str = "extra/org.fmi-standard.fmi-ls-ref/ref.csv";
-    let copy = Copy::of("vehicle");
+    let copy = FmuCopy::of("vehicle");
     let text = copy.text(RESULT);
     let (lines, last) = text.trim_end().rsplit_once('\n').unwrap();
     let (time, rest) = last.split_once(',').unwrap();
     let (position, rest) = rest.split_once(',').unwrap();
     // The first signal is the position, some 16 m.
     let position = position.parse::<f64>().unwrap() + 1e-6;
-    let mutant = copy.with(RESULT, &format!("{lines}\n{time},{position},{rest}\n"));
-    let output = hotfoot(copy.0.path(), &["check", mutant.to_str().unwrap(), "--replay"]);
-    std::fs::remove_file(&mutant).unwrap();
+    let result = format!("{lines}\n{time},{position},{rest}\n");
+    let replay =
+        |fmu: &Path| hotfoot(Path::new("."), &["check", fmu.to_str().unwrap(), "--replay"]);
+    let output = copy.with(RESULT, &result, replay);
     assert!(!output.status.success());
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(message.contains("`position` is") && message.contains("at 1 s, but was"), "{message}");
-}
-
-/// A variable at the end of the list, so that no index of another changes.
-fn added(text: &str, variable: &str) -> String {
-    text.replacen("</ModelVariables>", &format!("{variable}</ModelVariables>"), 1)
-}
-
-fn replaced(text: &str, from: &str, to: &str) -> String {
-    assert!(text.contains(from), "{from} is not in the model description");
-    text.replacen(from, to, 1)
-}
-
-/// The text without the first line, after `after`, that holds `what`.
-fn without(text: &str, after: &str, what: &str) -> String {
-    let (before, rest) = text.split_once(after).expect("it is there");
-    let line = rest.lines().find(|line| line.contains(what)).expect("it is there");
-    format!("{before}{after}{}", rest.replacen(line, "", 1))
-}
-
-/// The mutations of one good FMU by which eight tools were compared, each with the rule that finds
-/// it; no rule: the mutation is legal.
-#[test]
-fn each_mutation_is_found_by_its_rule() {
-    let copy = Copy::of("vehicle");
-    let good = copy.text(DESCRIPTION);
-    let local = |rest: &str| {
-        added(
-            &good,
-            &format!("<ScalarVariable name=\"more\" valueReference=\"0\" {rest}</ScalarVariable>"),
-        )
-    };
-    let index = |name: &str| {
-        let names = good.split("<ScalarVariable name=\"").skip(1);
-        1 + names.into_iter().position(|text| text.starts_with(&format!("{name}\""))).unwrap()
-    };
-    let position = format!("index=\"{}\"", index("position"));
-    let mutations: [(&str, Option<&str>, String); 21] = [
-        (
-            "an output is not in ModelStructure/Outputs",
-            Some("outputs-are-complete"),
-            without(&good, "<Outputs>", &position),
-        ),
-        (
-            "a calculated output is not in InitialUnknowns",
-            Some("initial-unknowns-are-complete"),
-            without(&good, "<InitialUnknowns>", &position),
-        ),
-        (
-            "an input has no start",
-            Some("start-is-given"),
-            replaced(&good, "<Real unit=\"N\" start=\"0\"/>", "<Real unit=\"N\"/>"),
-        ),
-        (
-            "a unit is not defined",
-            Some("units-are-defined"),
-            replaced(&good, "<Real unit=\"N\" start=\"0\"/>", "<Real unit=\"lbf\" start=\"0\"/>"),
-        ),
-        (
-            "two variables of a type and reference have starts",
-            Some("aliases-have-one-start"),
-            local("causality=\"parameter\" variability=\"fixed\"><Real start=\"1\"/>"),
-        ),
-        (
-            "a name is there twice",
-            Some("names-are-unique"),
-            replaced(&good, "name=\"velocity\"", "name=\"position\""),
-        ),
-        (
-            "a parameter is continuous",
-            Some("variability-fits-causality"),
-            local("causality=\"parameter\" variability=\"continuous\"><Real start=\"1\"/>"),
-        ),
-        (
-            "local, fixed and exact",
-            Some("initial-fits-causality"),
-            local(
-                "causality=\"local\" variability=\"fixed\" initial=\"exact\"><Real start=\"1\"/>",
-            ),
-        ),
-        (
-            "a start is outside of the bounds",
-            Some("start-is-within-bounds"),
-            replaced(&good, "min=\"0.01\"", "min=\"0.9\""),
-        ),
-        (
-            "the GUID is wrong",
-            Some("instance-can-be-made"),
-            replaced(&good, "guid=\"{", "guid=\"{0"),
-        ),
-        (
-            "the modelIdentifier is wrong",
-            Some("binary-is-there"),
-            replaced(&good, "modelIdentifier=\"vehicle\"", "modelIdentifier=\"wagon\""),
-        ),
-        (
-            "a name is not structured",
-            Some("names-are-structured"),
-            replaced(&good, "name=\"velocity\"", "name=\"v 1\""),
-        ),
-        (
-            "the experiment stops before it starts",
-            Some("experiment-goes-forward"),
-            replaced(&good, "startTime=\"0\"", "startTime=\"20\""),
-        ),
-        (
-            "an index in Outputs is 0",
-            Some("indices-are-in-range"),
-            replaced(&good, &format!("<Unknown {position}"), "<Unknown index=\"0\""),
-        ),
-        (
-            "a unit is there twice",
-            Some("units-are-unique"),
-            replaced(&good, "<Unit name=\"N\">", "<Unit name=\"m\">"),
-        ),
-        (
-            "a log category is there twice",
-            Some("log-categories-are-unique"),
-            replaced(&good, "name=\"logEvents\"", "name=\"logAll\""),
-        ),
-        (
-            "a state can be serialized but not got",
-            Some("serializing-needs-states"),
-            replaced(&good, "canGetAndSetFMUstate=\"true\"", "canGetAndSetFMUstate=\"false\""),
-        ),
-        (
-            "the independent variable has a start",
-            Some("start-is-not-given"),
-            added(
-                &good,
-                "<ScalarVariable name=\"time\" valueReference=\"9999\" causality=\"independent\" variability=\"continuous\"><Real start=\"0\"/></ScalarVariable>",
-            ),
-        ),
-        (
-            "a dependency is beyond the variables",
-            Some("dependencies-are-in-range"),
-            replaced(&good, "dependencies=\"\"", "dependencies=\"99999\""),
-        ),
-        ("there is no independent variable", None, good.clone()),
-        (
-            "the description is not XML",
-            Some("xml-is-well-formed"),
-            replaced(&good, "</ModelVariables>", ""),
-        ),
-    ];
-    for (mutation, rule, text) in mutations {
-        let mutant = copy.with(DESCRIPTION, &text);
-        let findings = check(&mutant);
-        std::fs::remove_file(&mutant).unwrap();
-        match rule {
-            None => assert!(findings.is_empty(), "{mutation}: {findings:#?}"),
-            Some(rule) => {
-                assert!(findings.iter().any(|f| f.rule == rule), "{mutation}: {findings:#?}")
-            }
-        }
-    }
 }
 
 /// An FMU with some of the 34 functions, as tools load it that look up what they call.
@@ -268,7 +60,7 @@ fn an_fmu_without_all_functions_is_told_which_it_lacks() {
     let mut compiler = std::process::Command::new("cc");
     compiler.args(["-shared", "-fPIC", "-o"]).arg(&binary).arg(&source);
     assert!(compiler.status().unwrap().success());
-    let text = Copy::of("vehicle").text(DESCRIPTION);
+    let text = FmuCopy::of("vehicle").text(DESCRIPTION);
     let fmu = folder.path().join("few.fmu");
     let library = std::fs::read(&binary).unwrap();
     let entries: [(&str, &[u8]); 2] =
@@ -277,4 +69,84 @@ fn an_fmu_without_all_functions_is_told_which_it_lacks() {
     let findings = check(&fmu);
     let own = findings.iter().find(|finding| finding.rule == "functions-are-complete").unwrap();
     assert!(own.sentence.contains("fmi2CancelStep, ") && !own.sentence.contains("fmi2DoStep,"));
+}
+
+/// The one finding of a check, with this rule.
+fn only(findings: &[Finding], rule: &str) -> String {
+    assert_eq!(findings.iter().map(|f| f.rule).collect::<Vec<_>>(), [rule], "{findings:#?}");
+    findings[0].sentence.clone()
+}
+
+/// An FMU whose description is good, with a binary at this place.
+fn with_binary(folder: &Path, place: &str, binary: &[u8]) -> PathBuf {
+    hostile_vehicle(folder, "WELL", &Claims::default());
+    let file = std::fs::File::open(folder.join("hostile.fmu")).unwrap();
+    zip::ZipArchive::new(file).unwrap().extract(folder).unwrap();
+    let text = std::fs::read(folder.join(DESCRIPTION)).unwrap();
+    let fmu = folder.join("other.fmu");
+    archive(&fmu, &[(DESCRIPTION, text.as_slice()), (place, binary)]);
+    fmu
+}
+
+#[test]
+fn a_good_fmu_of_another_maker_breaks_no_rule() {
+    let folder = tempfile::tempdir().unwrap();
+    let findings = check(&hostile_vehicle(folder.path(), "WELL", &Claims::default()));
+    assert!(findings.is_empty(), "{findings:#?}");
+}
+
+#[test]
+fn a_file_that_is_no_archive_or_has_no_description_is_told_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("x.fmu");
+    std::fs::write(&file, "no archive").unwrap();
+    only(&check(&file), "archive-can-be-unpacked");
+    archive(&file, &[("model.png", b"x")]);
+    only(&check(&file), "description-is-there");
+}
+
+/// The method in both headers of an entry is changed from 0, stored, to 12, bzip2.
+#[test]
+fn an_archive_packed_in_another_way_is_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("x.fmu");
+    let stored =
+        zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
+    let mut zip = zip::ZipWriter::new(std::fs::File::create(&file).unwrap());
+    zip.start_file("x", stored).unwrap();
+    zip.finish().unwrap();
+    let mut bytes = std::fs::read(&file).unwrap();
+    let directory = bytes.windows(4).position(|mark| mark == b"PK\x01\x02").unwrap();
+    // Local header: method at 8; directory: at 10.
+    bytes[8] = 12;
+    bytes[directory + 10] = 12;
+    std::fs::write(&file, bytes).unwrap();
+    let findings = check(&file);
+    assert_eq!(findings[0].rule, "archive-is-stored-or-deflated", "{findings:#?}");
+}
+
+#[test]
+fn a_terminal_with_an_unknown_variable_is_found() {
+    const TERMINALS: &str = "terminalsAndIcons/terminalsAndIcons.xml";
+    let copy = FmuCopy::of("vehicle");
+    let text = copy.text(TERMINALS);
+    let member = "variableName=\"coupler.front.force\"";
+    assert!(text.contains(member), "{text}");
+    let other = text.replacen(member, "variableName=\"coupler\"", 1);
+    let findings = copy.with(TERMINALS, &other, check);
+    assert!(only(&findings, "terminals-name-variables").contains("no variable `coupler`"));
+    only(&copy.with(TERMINALS, "<fmiTerminalsAndIcons>", check), "terminals-are-xml");
+}
+
+#[test]
+fn a_binary_that_cannot_be_used_is_told_why() {
+    let folder = tempfile::tempdir().unwrap();
+    let broken = with_binary(folder.path(), "binaries/linux64/hostile.so", b"no library");
+    only(&check(&broken), "binary-can-be-loaded");
+    let foreign = with_binary(folder.path(), "binaries/win64/hostile.dll", b"x");
+    let findings = check(&foreign);
+    assert!(only(&findings, "binary-is-for-this-platform").contains("win64"));
+    assert_eq!(findings[0].severity, Severity::Advice);
+    let older = hostile_vehicle(folder.path(), "OTHER_VERSION", &Claims::default());
+    assert!(only(&check(&older), "binary-is-of-fmi-2.0").contains("\"1.0\""));
 }

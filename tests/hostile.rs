@@ -176,6 +176,17 @@ fn an_fmu_with_few_capabilities_runs() {
 }
 
 #[test]
+fn parameters_of_every_type_reach_the_fmu() {
+    let mut scenario = scenario("TELL_PARAMETERS", &Claims::default());
+    let with = "file = \"hostile.fmu\", parameters = { count = 3, worn = true, file = \"a b\" } }";
+    scenario.text = scenario.text.replace("file = \"hostile.fmu\" }", with);
+    let output = scenario.run(&[]);
+    assert_says(&text(&output.stdout), &["warning: vehicle[2]: count 3, worn 1, file a b"]);
+    scenario.text = scenario.text.replace("count = 3", "count = 0.5");
+    assert_says(&refusal(&scenario.run(&[])), &["count", "0.5", "an Integer: a whole number"]);
+}
+
+#[test]
 fn an_fmu_that_cannot_save_its_state_is_not_tried_again() {
     let claims = Claims { flags: "", ..Claims::default() };
     let mut scenario = scenario("DISCARD_LONG", &claims);

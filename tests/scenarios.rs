@@ -31,7 +31,8 @@ fn every_shipped_scenario_starts_and_runs() {
 /// The files `scenario.toml` of all folders, and every file with a title in `foot-study`.
 fn shipped() -> Vec<PathBuf> {
     let files = |folder: PathBuf| std::fs::read_dir(folder).unwrap().flatten().map(|e| e.path());
-    let of_folders = files(root().join("scenarios")).map(|folder| folder.join("scenario.toml"));
+    let folders = files(root().join("scenarios")).chain(files(root().join("scenarios/benchmarks")));
+    let of_folders = folders.map(|folder| folder.join("scenario.toml"));
     let has_title = |file: &PathBuf| {
         std::fs::read_to_string(file)
             .is_ok_and(|text| text.lines().any(|l| l.starts_with("title =")))

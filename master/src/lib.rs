@@ -4,7 +4,8 @@
 //! | place | part |
 //! |---|---|
 //! | `scenario/` | the scenario file |
-//! | `prepare.rs`, `prepare_rail.rs`, `resources.rs`, `pack.rs`, `documentation.rs` | from a scenario to wired units |
+//! | `prepare.rs`, `prepare_rail.rs`, `parameters.rs`, `resources.rs` | from a scenario to wired units |
+//! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
 //! | `check/` | the rules of FMI 2.0 for an FMU |
 //! | `reference/` | the reference result that an FMU carries as a self-test |
@@ -35,6 +36,7 @@ mod observe;
 mod observe_rail;
 mod pack;
 mod parallel;
+mod parameters;
 mod port;
 mod prepare;
 mod prepare_rail;

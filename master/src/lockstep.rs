@@ -20,6 +20,8 @@ pub struct Train {
     pub unit: Box<dyn Unit>,
     /// Position and speed at the start.
     pub start: Port,
+    /// Inputs that keep a value for the whole run, such as the wind: references and values.
+    pub constants: Vec<(u32, f64)>,
     /// Outputs at the last communication point.
     pub outputs: Port,
 }
@@ -32,6 +34,8 @@ pub struct Vehicle {
     pub start: Port,
     /// Forces of the step, [`vehicle_input::NAMES`].
     pub inputs: Port,
+    /// Inputs that keep a value throughout: reference and value.
+    pub constants: Vec<(u32, f64)>,
     /// Outputs at the last communication point, laid out as [`vehicle_output`] says.
     pub outputs: Port,
     /// Keeps it at its place in the train.
@@ -163,7 +167,8 @@ impl Lockstep {
     /// Hands the wheels' outputs to the rails.
     pub fn pass_wheels(&mut self) {
         for rail in &mut self.rails {
-            rail.take(self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice()));
+            let outputs = self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice());
+            rail.take(outputs.zip(self.train.blocks()));
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::mock::Mock;
 use crate::port::{Port, Signal};
 use crate::rail::Rail;
-use crate::roles::{self, vehicle_input, vehicle_output};
+use crate::roles::{self, rail_input, vehicle_input, vehicle_output};
 use crate::scenario::Scheme;
 use crate::tape::Tape;
 use crate::unit::Unit;
@@ -29,7 +29,8 @@ fn port(unit: &dyn Unit, signals: &[Signal], causality: &str) -> Port {
     Port::connect(unit.interface(), signals, causality, &BTreeMap::new()).unwrap()
 }
 
-/// The train's coupler forces are the time at the end of the step, plus 100 for each place.
+/// The train's coupler forces are the time at the end of the step, plus 100 for each place; the heat
+/// of its brakes is ten times that.
 fn train(calls: &Calls) -> Train {
     let signals = roles::longitudinal_signals(VEHICLES);
     let variables: Vec<_> =
@@ -37,13 +38,14 @@ fn train(calls: &Calls) -> Train {
     let block = roles::train::NAMES.len();
     let unit = Mock::new("train", &variables, calls, move |values, time, length| {
         for place in 0..VEHICLES {
-            values[place * block + roles::train::COUPLER_FRONT] =
-                time + length + 100.0 * place as f64;
+            let value = time + length + 100.0 * place as f64;
+            values[place * block + roles::train::COUPLER_FRONT] = value;
+            values[place * block + roles::train::WHEEL_BRAKE_POWER] = 10.0 * value;
         }
     });
     let start = port(&unit, &signals.parameters, "parameter");
     let outputs = port(&unit, &signals.outputs, "output");
-    Train { unit: Box::new(unit), start, outputs }
+    Train { unit: Box::new(unit), start, constants: vec![], outputs }
 }
 
 /// A vehicle's position is the time, that of its wheelset the force that it got; its wheels'
@@ -68,6 +70,7 @@ fn vehicle(place: usize, calls: &Calls) -> Vehicle {
     let limit = f64::INFINITY;
     let gains = Gains { proportional: KP, integral: 0.0, derivative: 0.0, limit };
     Vehicle {
+        constants: vec![],
         unit: Box::new(unit),
         start,
         inputs,
@@ -161,6 +164,17 @@ fn a_slower_rail_gets_means_and_the_last_position() {
     let calls = calls.lock().unwrap();
     let steps: Vec<_> = calls.iter().filter(|call| call.starts_with("rail step")).collect();
     assert_eq!(steps, ["rail step 0.000", "rail step 1.000"]);
+}
+
+#[test]
+fn the_rail_gets_the_brake_heat_that_the_train_tells() {
+    let (mut lockstep, _) = lockstep(Scheme::Sequential, 2);
+    run(&mut lockstep, 4);
+    let rail = &lockstep.rails[0];
+    let heat = |vehicle: usize| {
+        rail.inputs.values[vehicle * rail_input::NAMES.len() + rail_input::BRAKE_POWER]
+    };
+    assert_eq!([heat(0), heat(1)], [17.5, 1017.5], "means of the steps that end at 1.5 and 2 s");
 }
 
 /// A rail of 2 exchange steps a step: what it got in the run comes again from the tape; alone all

@@ -8,7 +8,7 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::lockstep::Lockstep;
-use crate::prepare_rail::Extent;
+use crate::prepare_rail::{Extent, field_file};
 use crate::report::{MainFigure, RailFacts, RunFacts};
 use crate::scenario::{Heat, Scenario};
 use crate::times::StepTimes;
@@ -131,6 +131,7 @@ fn rail_facts(scenario: &Scenario, heat: &Heat, lockstep: &Lockstep) -> RailFact
     let run = (scenario.duration_s / scenario.step_s).round() as u64;
     RailFacts {
         sides: lockstep.rails.iter().map(|rail| rail.side_name().to_owned()).collect(),
+        fields: lockstep.rails.iter().map(|rail| field_file(heat, rail.side)).collect(),
         model: heat.model.clone(),
         length_m: Extent::of(scenario, heat).length,
         detection_threshold_k: 1e-3 * heat.detection_threshold_mk,

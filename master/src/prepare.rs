@@ -10,10 +10,11 @@ use controller::{Controller, Gains};
 use crate::fmi::{FmuInstance, Import, ImportError};
 use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::pack::{Binary, PackError, pack};
+use crate::parameters::set_parameter;
 use crate::port::{Port, Signal};
 use crate::resources::{self, Origins};
 use crate::roles::{self, RoleSignals, wheelset_count};
-use crate::scenario::{Scenario, VehicleReplacement};
+use crate::scenario::{Scenario, Value, VehicleReplacement};
 use crate::times::StepTimes;
 use crate::unit::{Unit, UnitError};
 
@@ -130,8 +131,24 @@ impl Builder<'_> {
         };
         let signals = roles::longitudinal_signals(self.scenario.vehicle_count());
         let ports = connect(&import, &signals, &BTreeMap::new(), "longitudinal")?;
-        let unit = self.instance(&import, "train")?;
-        Ok(Train { unit, start: ports.parameters, outputs: ports.outputs })
+        let mut unit = self.instance(&import, "train")?;
+        let constants = self.set_train(unit.as_mut())?;
+        Ok(Train { unit, start: ports.parameters, constants, outputs: ports.outputs })
+    }
+
+    /// Sets what the scenario says of the couplers, and gives the inputs of the wind with their values;
+    /// an FMU that does not know them is refused.
+    fn set_train(&self, unit: &mut dyn Unit) -> Result<Vec<(u32, f64)>, UnitError> {
+        let train = &self.scenario.train;
+        if let Some(couplers) = train.couplers {
+            let reference = unit.reference("initial.couplers")?;
+            unit.set_integers(&[reference], &[couplers as i32])?;
+        }
+        let Some(wind) = &train.wind else { return Ok(vec![]) };
+        Ok(vec![
+            (unit.reference("wind.speed")?, wind.speed_m_per_s),
+            (unit.reference("wind.direction")?, wind.direction_deg.to_radians()),
+        ])
     }
 
     fn vehicles(&self) -> Result<Vec<Vehicle>, PrepareError> {
@@ -157,12 +174,13 @@ impl Builder<'_> {
                         import
                     }
                 };
-                let names = match (replacement, &common) {
-                    (Some((other, _)), _) => &other.names,
-                    (None, Some(_)) => &self.scenario.fmus.vehicle_names,
-                    (None, None) => &BTreeMap::new(),
+                let nothing = (&BTreeMap::new(), &BTreeMap::new());
+                let (names, parameters) = match (replacement, &common) {
+                    (Some((other, _)), _) => (&other.names, &other.parameters),
+                    (None, Some(_)) => (&self.scenario.fmus.vehicle_names, nothing.1),
+                    (None, None) => nothing,
                 };
-                vehicles.push(self.vehicle(&import, place, names)?);
+                vehicles.push(self.vehicle(&import, place, names, parameters)?);
             }
         }
         Ok(vehicles)
@@ -191,12 +209,18 @@ impl Builder<'_> {
         import: &Arc<Import>,
         place: usize,
         names: &BTreeMap<String, String>,
+        parameters: &BTreeMap<String, Value>,
     ) -> Result<Vehicle, PrepareError> {
         let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
         let ports = connect(import, &signals, names, "vehicle")?;
-        let unit = self.instance(import, &format!("vehicle[{place}]"))?;
+        let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
+        let mut constants = vec![];
+        for (name, value) in parameters {
+            constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
+        }
         Ok(Vehicle {
             unit,
+            constants,
             start: ports.parameters,
             inputs: ports.inputs,
             outputs: ports.outputs,

@@ -1,19 +1,22 @@
 //! The units of the rails that a scenario heats, with their parameters.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 
 use crate::fmi::Import;
-use crate::interface::{Variable, VariableType};
 use crate::lockstep::Vehicle;
+use crate::parameters::set_parameter;
 use crate::prepare::{Builder, PrepareError, check_instances, connect};
 use crate::rail::Rail;
-use crate::resources::{self, parameter_file};
+use crate::resources;
 use crate::roles::{self, SIDES};
-use crate::scenario::{Heat, Scenario, Value};
+use crate::scenario::{Heat, Scenario};
 use crate::tape::Tape;
 use crate::unit::{Unit, UnitError};
+
+/// Place of each rail to the right of the track's middle on standard gauge, m: half of 1435 mm and of
+/// a head of 72 mm.
+const LATERAL_POSITION: [f64; 2] = [-0.7535, 0.7535];
 
 impl Builder<'_> {
     /// A unit for each heated rail.
@@ -26,7 +29,7 @@ impl Builder<'_> {
         let import = match &self.scenario.fmus.railheat {
             Some(file) => Import::open(file)?,
             None => self.packed("railheat", "rail", |folder| {
-                resources::write_railheat(heat, &wheelsets, folder)
+                resources::write_railheat(self.scenario, heat, &wheelsets, folder)
             })?,
         };
         let sides = heat.rail.sides();
@@ -82,12 +85,13 @@ impl Builder<'_> {
             ("track.length", extent.length),
             ("field_interval", heat.field_interval_s),
             ("detection.threshold", 1e-3 * heat.detection_threshold_mk),
+            ("rail.lateral_position", LATERAL_POSITION[side]),
         ] {
             if unit.interface().variable(name).is_some() {
                 unit.set_real_parameter(name, value)?;
             }
         }
-        let field_file = self.folders.results.join(field_file(heat.rail.sides(), side));
+        let field_file = self.folders.results.join(field_file(heat, side));
         let field_file = field_file.to_string_lossy();
         for (name, value) in [
             ("field_file", &*field_file),
@@ -102,69 +106,12 @@ impl Builder<'_> {
     }
 }
 
-/// Name of the field's store of a rail among the heated ones.
-pub(crate) fn field_file(sides: &[usize], side: usize) -> String {
-    match sides {
+/// Name of the store with the field of a rail.
+pub(crate) fn field_file(heat: &Heat, side: usize) -> String {
+    match heat.rail.sides() {
         [_] => "rail.zarr".to_owned(),
         _ => format!("rail-{}.zarr", SIDES[side]),
     }
-}
-
-/// Sets a parameter as the scenario says. An input is given back with its value, since an FMU
-/// takes inputs only when it is being initialised (FMI 2.0 §4.2.4).
-fn set_parameter(
-    unit: &mut dyn Unit,
-    import: &Import,
-    name: &str,
-    value: &Value,
-) -> Result<Option<(u32, f64)>, PrepareError> {
-    let wrong = |problem: String| PrepareError::Parameter {
-        name: name.to_owned(),
-        value: value.to_string(),
-        problem,
-    };
-    let file = import.file();
-    let variable = unit.interface().variable(name).cloned().ok_or_else(|| {
-        wrong(format!("{file} has no such variable; `hotfoot interface {file}` lists them"))
-    })?;
-    let Variable { reference, kind, causality, .. } = variable;
-    match (causality.as_str(), kind, value) {
-        ("input", VariableType::Real, value) if value.number().is_some() => {
-            return Ok(value.number().map(|number| (reference, number)));
-        }
-        ("parameter", _, _) => {}
-        _ => return Err(wrong(format!("it is no parameter but {causality} of {file}"))),
-    }
-    match (kind, value, value.number()) {
-        (VariableType::Real, _, Some(number)) => unit.set_reals(&[reference], &[number])?,
-        (VariableType::Integer, Value::Integer(value), _) => {
-            unit.set_integers(&[reference], &[*value])?;
-        }
-        (VariableType::Boolean, Value::Boolean(value), _) => {
-            unit.set_booleans(&[reference], &[i32::from(*value)])?;
-        }
-        (VariableType::Text, Value::Text(value), _) => unit.set_text(reference, value)?,
-        (VariableType::Text, Value::File(original), _) => {
-            unit.set_text(reference, &path_of_copy(import, name, original))?;
-        }
-        _ => {
-            let wanted = match kind {
-                VariableType::Real => "a Real: a number such as 0.5",
-                VariableType::Integer => "an Integer: a whole number such as 2",
-                VariableType::Boolean => "a Boolean: true or false",
-                VariableType::Text => "a String: a text in quotation marks",
-            };
-            return Err(wrong(format!("it is {wanted}")));
-        }
-    }
-    Ok(None)
-}
-
-/// The file in the FMU's resources; the original for an FMU that was not packed for the scenario.
-fn path_of_copy(import: &Import, name: &str, original: &Path) -> String {
-    let copy = import.resources().join(parameter_file(name, original));
-    let path = if copy.exists() { &copy } else { original };
-    path.display().to_string()
 }
 
 /// Part of the track whose rail is modelled, m.

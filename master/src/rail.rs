@@ -4,7 +4,7 @@ use std::io;
 
 use crate::lockstep::Clock;
 use crate::port::Port;
-use crate::roles::{SIDES, rail_input, vehicle_output};
+use crate::roles::{SIDES, rail_input, train, vehicle_output};
 use crate::tape::Tape;
 use crate::unit::{Unit, UnitError};
 
@@ -49,20 +49,21 @@ impl Rail {
         SIDES[self.side]
     }
 
-    /// Takes the outputs of all vehicles at a communication point.
+    /// Takes the outputs of all vehicles at a communication point, each with its place in the train.
     ///
     /// The wheelsets' positions are the last ones; everything else is the mean since the last
     /// step of the rail, so that energy is summed and never sampled.
-    pub fn take<'v>(&mut self, vehicles: impl Iterator<Item = &'v [f64]>) {
+    pub fn take<'v>(&mut self, vehicles: impl Iterator<Item = (&'v [f64], &'v [f64])>) {
         self.gathered += 1;
         let block = rail_input::NAMES.len();
         let mut at = 0;
-        for (outputs, &wheelsets) in vehicles.zip(&self.wheelsets) {
+        for ((outputs, place), &wheelsets) in vehicles.zip(&self.wheelsets) {
             for j in 0..wheelsets {
                 let inputs = &mut self.inputs.values[at..at + block];
                 let sums = &mut self.sums[at..at + block];
                 inputs[rail_input::POSITION] = outputs[vehicle_output::wheelset(j)];
                 sums[rail_input::SPEED] += outputs[vehicle_output::VELOCITY];
+                sums[rail_input::BRAKE_POWER] += place[train::WHEEL_BRAKE_POWER];
                 let wheel = &outputs[vehicle_output::wheel(j, self.side)..];
                 for (sum, place) in sums[2..].iter_mut().zip(rail_input::FROM_WHEEL) {
                     *sum += wheel[place];

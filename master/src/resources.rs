@@ -63,12 +63,13 @@ pub fn parameter_file(parameter: &str, file: &Path) -> PathBuf {
     Path::new("parameters").join(parameter).join(file.file_name().unwrap_or_default())
 }
 
-/// Writes the resources of the rail: what shapes its interface, and the files that its
-/// parameters name.
+/// Writes the resources of the rail: what shapes its interface, the track, whose curves turn the
+/// rail in the sun, and the files that its parameters name.
 ///
 /// # Errors
 /// When a file cannot be read or written.
 pub fn write_railheat(
+    scenario: &Scenario,
     heat: &Heat,
     wheelsets: &[usize],
     folder: &Path,
@@ -85,7 +86,8 @@ pub fn write_railheat(
         probe: &heat.probe,
     };
     write(&folder.join("railheat.toml"), to_toml(&file).as_bytes())?;
-    let mut origins = Origins::default();
+    copy_file(&scenario.track.file, &folder.join("track.toml"))?;
+    let mut origins = Origins(vec![("track.toml".to_owned(), scenario.track.file.clone())]);
     for (name, value) in &heat.parameters {
         if let Value::File(original) = value {
             let copy = parameter_file(name, original);
@@ -98,6 +100,10 @@ pub fn write_railheat(
 
 fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, PackError> {
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
+    // A track file that cannot be read is answered by the models, with all that is wrong in it.
+    if let Ok(Some(irregularities)) = track::irregularity::file_beside(&scenario.track.file) {
+        copy_file(&irregularities, &folder.join(irregularities.file_name().unwrap_or_default()))?;
+    }
     copy_folder(&scenario.stock, &folder.join("stock"))?;
     Ok(Origins(vec![
         ("track.toml".to_owned(), scenario.track.file.clone()),

@@ -27,7 +27,7 @@ mod unit {
 /// Outputs of the train for each vehicle, `vehicle[i].…`.
 pub mod train {
     use super::SignalUnit;
-    use super::unit::{METRE, METRE_PER_SECOND, NEWTON};
+    use super::unit::{METRE, METRE_PER_SECOND, NEWTON, WATT};
 
     /// Places of a vehicle's outputs in its block.
     pub const POSITION: usize = 0;
@@ -43,8 +43,10 @@ pub mod train {
     pub const TRACTION: usize = 5;
     /// Friction brake at the treads.
     pub const BRAKE: usize = 6;
+    /// Heat of the friction brake into each wheel.
+    pub const WHEEL_BRAKE_POWER: usize = 7;
     /// Names after `vehicle[i].`; the first four are required.
-    pub const NAMES: [&str; 7] = [
+    pub const NAMES: [&str; 8] = [
         "position",
         "velocity",
         "coupler.front.force",
@@ -52,12 +54,13 @@ pub mod train {
         "resistance.force",
         "traction.force",
         "brake.force",
+        "wheel.brake_power",
     ];
     /// How many of the names are required.
     pub const REQUIRED: usize = 4;
     /// Their units.
     pub(super) const UNITS: [SignalUnit; NAMES.len()] =
-        [METRE, METRE_PER_SECOND, NEWTON, NEWTON, NEWTON, NEWTON, NEWTON];
+        [METRE, METRE_PER_SECOND, NEWTON, NEWTON, NEWTON, NEWTON, NEWTON, WATT];
 }
 
 /// Inputs of a vehicle.
@@ -157,8 +160,11 @@ pub mod rail_input {
     pub const POSITION: usize = 0;
     /// Place of the wheelset's speed.
     pub const SPEED: usize = 1;
-    /// Names after `vehicle[i].wheelset[j].`; from the third on they are those of the wheel.
-    pub const NAMES: [&str; 8] = [
+    /// Place of the heat that the friction brake puts into the wheel, which the train tells.
+    pub const BRAKE_POWER: usize = 8;
+    /// Names after `vehicle[i].wheelset[j].`; from the third to the last but one they are those of
+    /// the wheel.
+    pub const NAMES: [&str; 9] = [
         "position",
         "speed",
         "creepage.longitudinal",
@@ -167,6 +173,7 @@ pub mod rail_input {
         "contact.a",
         "contact.b",
         "contact.lateral_position",
+        "brake_power",
     ];
     /// Places in a wheel's output block from which the third and later inputs are taken.
     pub const FROM_WHEEL: [usize; 6] = [0, 5, 6, 7, 8, 9];
@@ -174,7 +181,7 @@ pub mod rail_input {
     pub const REQUIRED: usize = 2;
     /// Their units.
     pub(super) const UNITS: [SignalUnit; NAMES.len()] =
-        [METRE, METRE_PER_SECOND, ONE, NEWTON, WATT, METRE, METRE, METRE];
+        [METRE, METRE_PER_SECOND, ONE, NEWTON, WATT, METRE, METRE, METRE, WATT];
 }
 
 /// What an FMU does in a run.

@@ -49,6 +49,9 @@ impl Train {
     fn initialize(&mut self, values: Motion, start: f64, stop: f64) -> Result<(), UnitError> {
         set_start_values(&mut self.start, self.unit.as_mut(), values)?;
         self.unit.enter_initialization(start, stop)?;
+        for &(reference, value) in &self.constants {
+            self.unit.set_reals(&[reference], &[value])?;
+        }
         self.unit.exit_initialization()?;
         // Some FMUs compute their outputs only when the initialisation ends.
         self.outputs.get(self.unit.as_mut())
@@ -60,6 +63,7 @@ impl Vehicle {
     fn initialize(&mut self, place: Motion, start: f64, stop: f64) -> Result<(), UnitError> {
         set_start_values(&mut self.start, self.unit.as_mut(), place)?;
         self.unit.enter_initialization(start, stop)?;
+        set_constants(&self.constants, self.unit.as_mut())?;
         self.inputs.set(self.unit.as_mut())?;
         self.unit.exit_initialization()?;
         self.outputs.get(self.unit.as_mut())?;
@@ -71,13 +75,16 @@ impl Vehicle {
 impl Rail {
     fn initialize(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {
         self.unit.enter_initialization(start, stop)?;
-        for &(reference, value) in &self.constants {
-            self.unit.set_reals(&[reference], &[value])?;
-        }
+        set_constants(&self.constants, self.unit.as_mut())?;
         self.form_means();
         self.inputs.set(self.unit.as_mut())?;
         self.unit.exit_initialization()
     }
+}
+
+/// Sets the inputs that keep a value throughout.
+fn set_constants(constants: &[(u32, f64)], unit: &mut dyn Unit) -> Result<(), UnitError> {
+    constants.iter().try_for_each(|&(reference, value)| unit.set_reals(&[reference], &[value]))
 }
 
 /// Sets the two start parameters that the train and the vehicles share.

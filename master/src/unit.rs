@@ -136,7 +136,11 @@ impl dyn Unit + '_ {
         self.set_text(reference, value)
     }
 
-    fn reference(&self, name: &str) -> Result<u32, UnitError> {
+    /// Value reference of a variable.
+    ///
+    /// # Errors
+    /// When the unit has no such variable.
+    pub fn reference(&self, name: &str) -> Result<u32, UnitError> {
         let variable = self.interface().variable(name);
         variable.map(|variable| variable.reference).ok_or_else(|| UnitError {
             instance: self.name().into(),

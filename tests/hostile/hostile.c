@@ -14,7 +14,9 @@ enum {
     WARN_SILENTLY,
     FATAL,
     PENDING,       /* three times, then done */
-    SET_ERROR
+    SET_ERROR,
+    TELL_PARAMETERS, /* once, as a warning */
+    OTHER_VERSION  /* says that it is of FMI 1.0 */
 };
 
 enum { OK, WARNING, DISCARDED, ERROR, FATALLY, IS_PENDING };
@@ -41,6 +43,7 @@ typedef struct {
     char text[64];
     double time;
     int asked;
+    int told;
     Callbacks callbacks;
 } Instance;
 
@@ -48,7 +51,7 @@ static void tell(Instance *i, int status, const char *category, const char *form
     i->callbacks.logger(i->callbacks.environment, "hostile", status, category, format, value);
 }
 
-EXPORT const char *fmi2GetVersion(void) { return "2.0"; }
+EXPORT const char *fmi2GetVersion(void) { return BEHAVIOUR == OTHER_VERSION ? "1.0" : "2.0"; }
 EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
 EXPORT int fmi2SetDebugLogging(void *c, int on, size_t n, const char *const *categories) {
     (void)c, (void)on, (void)n, (void)categories;
@@ -128,6 +131,12 @@ EXPORT int fmi2SetString(void *c, const unsigned *vr, size_t n, const char *cons
 
 static int misbehave(Instance *i, double length) {
     switch (BEHAVIOUR) {
+    case TELL_PARAMETERS:
+        if (i->told) return OK;
+        i->told = 1;
+        i->callbacks.logger(i->callbacks.environment, "hostile", WARNING, "logStatusWarning",
+                            "count %d, worn %d, file %s", i->integers[0], i->booleans[0], i->text);
+        return WARNING;
     case STEP_ERROR:
         tell(i, ERROR, "logStatusError", "the axle box is too hot at %g s", i->time);
         return ERROR;

@@ -1,5 +1,6 @@
 //! What the tests of the whole system share: where things are, small scenarios, and the program.
 
+pub mod fmu_copy;
 pub mod hostile;
 
 use std::path::{Path, PathBuf};

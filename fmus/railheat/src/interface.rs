@@ -3,8 +3,10 @@
 use std::borrow::Cow;
 use std::path::Path;
 
+use field::FieldError;
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
 
+use crate::checks;
 use crate::energy::model::Energy;
 use crate::energy::weather::Weather;
 use crate::field_file::FieldFile;
@@ -58,7 +60,7 @@ impl Model for RailHeat {
         let model = build(signals, values, &at)?;
         let wheels = vec![Wheel::default(); signals.wheels.len()];
         let rail_heat = Self {
-            probes: probe_elements(&signals.shape, &model)?,
+            probes: checks::probe_elements(&signals.shape, &model)?,
             field: begin_field(signals, values, start_time, &model, log)?,
             weather: file,
             wheels,
@@ -77,7 +79,7 @@ impl Model for RailHeat {
     ) -> Result<(), ModelError> {
         for (wheel, inputs) in self.wheels.iter_mut().zip(&signals.wheels) {
             *wheel = inputs.read(values);
-            check(wheel, &inputs.name)?;
+            checks::wheel(wheel, &inputs.name)?;
         }
         let Interval { start, length } = interval;
         let weather = weather_at(self.weather.as_ref(), signals, values, start + 0.5 * length)?;
@@ -142,12 +144,8 @@ impl RailHeat {
         let Err(error) = field.write_if_due(time, &self.model) else {
             return Ok(());
         };
-        if values[signals.parameters.field_failure] != "go_on" {
-            return Err(ModelError::from_error(error));
-        }
-        log.warning(format!("{error}; the run goes on without writing the field"));
         self.field = None;
-        Ok(())
+        field_failed(signals, values, error, log)
     }
 
     fn sentence(&self, signals: &Signals, stray: Stray, time: f64) -> String {
@@ -199,6 +197,11 @@ fn place(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Place
     let site = &signals.site;
     let line = parameters_energy::line(&signals.parameters, values)?;
     let ephemeris = site.ephemeris(values)?;
+    if ephemeris.is_none() && at.file.is_some_and(|file| !file.has_sun()) {
+        return Err(ModelError::new(
+            "weather_file has no columns for the sun: site.date_time must say when it is",
+        ));
+    }
     let weather = |time: f64| weather_at(at.file, signals, values, time);
     let day = match values[site.day] {
         true => Some(parameters_site::day(weather, ephemeris.as_ref(), at.time)?),
@@ -233,76 +236,11 @@ fn weather_at(
         return file.at(time).map_err(ModelError::from_error);
     }
     let weather = signals.weather(values);
-    check_weather(&weather)?;
+    checks::weather(&weather)?;
     Ok(weather)
 }
 
-/// Refuses weather that cannot be.
-fn check_weather(weather: &Weather) -> Result<(), ModelError> {
-    let Weather { ambient, wind, direct, diffuse, sun } = *weather;
-    if !(ambient > 0.0 && direct.is_finite()) {
-        return Err(ModelError::new(format!(
-            "ambient.temperature = {ambient} K, solar.irradiance = {direct} W/m2: the first must be \
-             above zero and the second a finite number"
-        )));
-    }
-    if !(wind >= 0.0 && diffuse >= 0.0 && sun.elevation.is_finite() && sun.azimuth.is_finite()) {
-        return Err(ModelError::new(format!(
-            "wind.speed = {wind} m/s, solar.diffuse = {diffuse} W/m2, solar.elevation = {} rad, \
-             solar.azimuth = {} rad: the first two must not be negative, all finite numbers",
-            sun.elevation, sun.azimuth
-        )));
-    }
-    Ok(())
-}
-
-/// Refuses inputs of a wheel that make no sense.
-fn check(wheel: &Wheel, name: &str) -> Result<(), ModelError> {
-    let contact = &wheel.contact;
-    let heat = [wheel.friction_power, wheel.brake_power, wheel.lateral_position];
-    if !heat.iter().all(|value| value.is_finite()) {
-        return Err(ModelError::new(format!(
-            "{name}: friction_power {} W, brake_power {} W and contact.lateral_position {} m must \
-             be finite numbers",
-            wheel.friction_power, wheel.brake_power, wheel.lateral_position
-        )));
-    }
-    let all = [wheel.position, wheel.speed, wheel.creepage, contact.normal_force];
-    if !all.iter().all(|value| value.is_finite()) {
-        return Err(ModelError::new(format!(
-            "{name}: position {} m, speed {} m/s, longitudinal creepage {} and normal force {} N \
-             must be finite numbers",
-            wheel.position, wheel.speed, wheel.creepage, contact.normal_force
-        )));
-    }
-    if contact.normal_force > 0.0 && !(contact.a > 0.0 && contact.b > 0.0) {
-        return Err(ModelError::new(format!(
-            "{name}: contact.a = {} m, contact.b = {} m: must be greater than zero while the \
-             normal force is ({} N)",
-            contact.a, contact.b, contact.normal_force
-        )));
-    }
-    Ok(())
-}
-
-/// The element in which each probe lies.
-fn probe_elements(shape: &Shape, model: &Heat) -> Result<Vec<usize>, ModelError> {
-    let span = model.span();
-    let element = |&chainage: &f64| {
-        if (span.begin..span.end()).contains(&chainage) {
-            let place = ((chainage - span.begin) / span.element_length) as usize;
-            return Ok(place.min(span.elements - 1));
-        }
-        Err(ModelError::new(format!(
-            "probe at chainage_m = {chainage}: must lie on the modelled track from {} m to {} m",
-            span.begin,
-            span.end()
-        )))
-    };
-    shape.probes.iter().map(element).collect()
-}
-
-/// Begins the field's file, if one is wanted.
+/// Begins the field's file, if one is wanted; what a failure means is the user's choice.
 fn begin_field(
     signals: &Signals,
     values: &Values,
@@ -325,11 +263,21 @@ fn begin_field(
         return Err(ModelError::new(sentence));
     }
     match FieldFile::create(Path::new(path), interval, start_time, model) {
-        Ok(file) => Ok(Some(file)),
-        Err(error) if failure == "go_on" => {
-            log.warning(format!("{error}; the run goes on without writing the field"));
-            Ok(None)
-        }
-        Err(error) => Err(ModelError::from_error(error)),
+        Ok(field) => Ok(Some(field)),
+        Err(error) => field_failed(signals, values, error, log).map(|()| None),
     }
+}
+
+/// Stops the run, or says that it goes on without the field, as the user has chosen.
+fn field_failed(
+    signals: &Signals,
+    values: &Values,
+    error: FieldError,
+    log: &mut Log,
+) -> Result<(), ModelError> {
+    if values[signals.parameters.field_failure] != "go_on" {
+        return Err(ModelError::from_error(error));
+    }
+    log.warning(format!("{error}; the run goes on without writing the field"));
+    Ok(())
 }

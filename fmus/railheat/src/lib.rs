@@ -25,13 +25,15 @@
 //! | `file.rs` | `railheat.toml`: the wheels and probes that shape the interface |
 //! | `parameters*.rs`, `signals*.rs` | the FMU's variables |
 //! | `interface.rs` | the model as an FMU |
+//! | `checks.rs` | what makes no sense is refused in words |
 //! | `field_file.rs` | when a snapshot of the field is written |
 //!
-//! Equations are numbered in `docs/theory/railheat.md`, which also lists where the paper's text
+//! Equations are numbered in `docs/theory/railheat`, which also lists where the paper's text
 //! leaves a choice, and what the model is known to get wrong. All values are in SI units;
 //! temperatures of the rail are rises above its initial temperature.
 
 pub mod audit;
+mod checks;
 pub mod column;
 pub mod creep_force;
 pub mod energy;

@@ -4,6 +4,7 @@ use fmu::{Declaration, Real, Text, Values, unit};
 
 use crate::inputs::Inputs;
 use crate::patch_signals::PatchSignals;
+use crate::track_forces::TrackForceSignals;
 use crate::wheel::PATCHES;
 
 /// Handles of all variables.
@@ -41,6 +42,7 @@ pub(crate) struct WheelsetSignals {
     pub(crate) speed: Real,
     /// Left, right.
     pub(crate) wheels: [WheelSignals; 2],
+    pub(crate) track_forces: TrackForceSignals,
 }
 
 /// Handles of a wheel.
@@ -82,6 +84,8 @@ pub(crate) struct EnergySignals {
     pub(crate) suspension_heat: Real,
     pub(crate) friction_heat: Real,
     pub(crate) contact_heat: Real,
+    pub(crate) track_heat: Real,
+    pub(crate) irregularities: Real,
 }
 
 impl Signals {
@@ -224,6 +228,7 @@ impl WheelsetSignals {
                 )
                 .output(),
             wheels: ["left", "right"].map(|side| WheelSignals::declare(d, &name, side)),
+            track_forces: TrackForceSignals::declare(d, &name),
         }
     }
 }
@@ -323,6 +328,11 @@ impl EnergySignals {
             suspension_heat: output("heat.suspension", "Heat in the suspension since the start"),
             friction_heat: output("heat.friction", "Heat by creep since the start"),
             contact_heat: output("heat.contact", "Heat in the contacts' damping since the start"),
+            track_heat: output("heat.track", "Heat in the support of the rails since the start"),
+            irregularities: output(
+                "work.irregularities",
+                "Work of the irregularities, which move the rails, since the start",
+            ),
         }
     }
 }

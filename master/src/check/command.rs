@@ -7,7 +7,7 @@ use miette::{IntoDiagnostic, Result, miette};
 
 use super::{Severity, check, rules};
 use crate::fmi::Import;
-use crate::reference;
+use crate::reference::{self, Verdict};
 use crate::roles::{self, Role};
 use crate::supervise;
 
@@ -59,8 +59,8 @@ fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {
     }
     if arguments.replay {
         match reference::compare(fmu).into_diagnostic()? {
-            Ok(sentence) => println!("{sentence}"),
-            Err(differences) => problems.extend(differences),
+            Verdict::Same(agreement) => println!("{agreement}"),
+            Verdict::Different(differences) => problems.extend(differences),
         }
     }
     match problems.is_empty() {

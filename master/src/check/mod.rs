@@ -139,7 +139,12 @@ pub fn check_description(text: &str) -> Vec<Finding> {
         })
         .collect();
     findings.sort_by_key(|(line, _)| *line);
-    findings.into_iter().map(|(_, finding)| finding).collect()
+    let mut findings: Vec<_> = findings.into_iter().map(|(_, finding)| finding).collect();
+    // To a file of another version most rules do not apply.
+    if let Some(version) = findings.iter().position(|finding| finding.rule == root::VERSION) {
+        findings = vec![findings.swap_remove(version)];
+    }
+    findings
 }
 
 /// Checks an FMU: its archive, its model description and its binary.

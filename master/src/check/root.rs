@@ -5,9 +5,12 @@ use super::description::{Description, child, number};
 use super::units::repeated;
 use super::{Breaches, Rule, Severity};
 
+/// Name of the rule on the version, without which the others make no sense.
+pub(super) const VERSION: &str = "fmi-version-is-2.0";
+
 pub const RULES: &[Rule] = &[
     Rule {
-        name: "fmi-version-is-2.0",
+        name: VERSION,
         severity: Severity::Error,
         wants: "fmiVersion is 2.0",
         check: fmi_version,

@@ -2,6 +2,7 @@
 //! so that nothing recorded is lost when the program dies between two parts.
 
 use std::fs::{self, File};
+use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use arrow::array::RecordBatch;
@@ -18,7 +19,7 @@ const NAME: &str = ".open.arrows";
 /// The stream of the records since the last part.
 pub(super) struct OpenPart {
     file: PathBuf,
-    stream: Option<StreamWriter<File>>,
+    stream: Option<StreamWriter<BufWriter<File>>>,
 }
 
 impl OpenPart {
@@ -39,7 +40,7 @@ impl OpenPart {
             Some(stream) => stream,
             none => {
                 let output = File::create(file).map_err(RecordingError::file(file))?;
-                none.insert(StreamWriter::try_new(output, schema).map_err(wrong(file))?)
+                none.insert(StreamWriter::try_new_buffered(output, schema).map_err(wrong(file))?)
             }
         };
         stream.write(&record.map_err(wrong(file))?).map_err(wrong(file))?;

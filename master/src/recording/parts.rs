@@ -12,7 +12,7 @@
 //! - write the one file anew each recorded second: the work grows with the square of the time;
 //! - append rows and a new footer behind the old one: a write that a kill cuts short leaves a
 //!   file without footer, and every footer repeats all those before it;
-//! - write each recorded second as a file of its own under a hidden name, then rename it, which
+//! - write each recorded second (of a train alone: 50 s) as a file of its own under a hidden name, then rename it, which
 //!   is atomic: this is done here, because its cost is constant and a file once there is never
 //!   touched again.
 //!

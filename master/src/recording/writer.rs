@@ -57,11 +57,13 @@ impl SeriesWriter {
             .chain(keys.iter().map(Key::field))
             .chain(columns.iter().flat_map(Column::fields))
             .collect();
+        let extremes = columns.iter().enumerate().filter(|(_, column)| column.has_extremes());
+        let extremes = extremes.map(|(index, _)| index).collect();
         Ok(Self {
             parts: Parts::create(folder, name)?,
             buffers: vec![vec![]; fields.len() - 1 - keys.len()],
             schema: Arc::new(Schema::new(fields)),
-            accumulator: Accumulator::new(rows, columns.len()),
+            accumulator: Accumulator::new(rows, columns.len(), extremes),
             columns,
             keys,
             rows,
@@ -95,11 +97,13 @@ impl SeriesWriter {
                 buffer.extend(values);
             }
         };
+        let mut place = 0;
         for (index, column) in self.columns.iter().enumerate() {
             store(&mut self.accumulator.last(index));
             if column.has_extremes() {
-                store(&mut self.accumulator.lowest(index));
-                store(&mut self.accumulator.highest(index));
+                store(&mut self.accumulator.lowest(place));
+                store(&mut self.accumulator.highest(place));
+                place += 1;
             }
         }
         self.accumulator.restart();

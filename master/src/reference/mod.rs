@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 use crate::fmi::ImportError;
 use crate::unit::UnitError;
 
-pub use compare::compare;
+pub use compare::{Verdict, compare};
 pub use files::pack;
 
 /// Why a reference result cannot be made or replayed.

@@ -55,10 +55,12 @@ pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
     let mut rails = vec![];
     if let Some(of_rails) = &facts.rails {
         rails = rail_figures::of_run(folder, of_rails)?;
-        for rail in &mut rails {
-            let field = rail_figures::field_of(folder, of_rails, &rail.side)?;
-            let field = field.map(|field| rail_field(&field, facts, &time, &positions));
-            rail.field = field.transpose()?;
+        for (rail, store) in rails.iter_mut().zip(&of_rails.fields) {
+            let store = folder.join(store);
+            if store.is_dir() {
+                let field = FieldReader::open(&store)?;
+                rail.field = Some(rail_field(&field, facts, &time, &positions)?);
+            }
         }
     }
     let plotted = facts.plotted.iter().filter(|&&place| (1..=facts.vehicles).contains(&place));

@@ -44,6 +44,8 @@ pub struct RunFacts {
 pub struct RailFacts {
     /// `left`, `right` or both.
     pub sides: Vec<String>,
+    /// Name of the store with the field of each of them.
+    pub fields: Vec<String>,
     /// Heat model.
     pub model: String,
     /// Length of the modelled rail, m.

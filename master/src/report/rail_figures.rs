@@ -3,8 +3,6 @@
 
 use std::path::Path;
 
-use field::FieldReader;
-
 use super::ReportError;
 use super::data::{Foot, HeatAt, MainFigure, RailData};
 use super::facts::{EnergyLine, RailFacts};
@@ -50,20 +48,6 @@ pub(super) fn of_run(folder: &Path, facts: &RailFacts) -> Result<Vec<RailData>, 
         })
     };
     facts.sides.iter().map(rail).collect()
-}
-
-/// The field of a rail, if one was written.
-pub(super) fn field_of(
-    folder: &Path,
-    facts: &RailFacts,
-    side: &str,
-) -> Result<Option<FieldReader>, ReportError> {
-    let name = match facts.sides.as_slice() {
-        [_] => "rail.zarr".to_owned(),
-        _ => format!("rail-{side}.zarr"),
-    };
-    let store = folder.join(name);
-    Ok(store.is_dir().then(|| FieldReader::open(&store)).transpose()?)
 }
 
 impl RailSeries<'_> {
@@ -134,7 +118,10 @@ impl RailSeries<'_> {
         let found = |key: &str, what: &str, column: &str| {
             let part = |part: &str| self.last(&format!("{column}.{part}"));
             let figure = self.figure(key, what, part("rise")?, KELVIN);
-            Ok::<_, RecordingError>(figure.on_track(part("chainage")?, part("time")?))
+            if figure.value.is_some_and(|rise| rise > 0.0) {
+                return Ok::<_, RecordingError>(figure.on_track(part("chainage")?, part("time")?));
+            }
+            Ok(MainFigure { text: "no rise".to_owned(), ..figure })
         };
         Ok(vec![
             found("foot.highest", "Foot: highest rise over untouched rail", "foot.highest")?,

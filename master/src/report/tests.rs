@@ -155,6 +155,7 @@ fn facts() -> RunFacts {
         plotted: vec![1, 2, 3, 10, 99],
         rails: Some(RailFacts {
             sides: vec!["left".to_owned(), "right".to_owned()],
+            fields: vec!["rail-left.zarr".to_owned(), "rail-right.zarr".to_owned()],
             model: "energy".to_owned(),
             length_m: 300.0,
             detection_threshold_k: 0.015,

@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::heat::Heat;
+use super::value::Value;
 
 /// What is run: the train on its track, how it is driven, what is computed and recorded.
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
@@ -83,9 +84,40 @@ pub struct Train {
     /// Speed at the start, m/s.
     #[garde(range(min = 0.0, max = 60.0))]
     pub speed_m_per_s: f64,
+    /// How the couplers are at the start; left out: as the train's FMU has it, which is in balance
+    /// for Hotfoot's own.
+    #[garde(skip)]
+    pub couplers: Option<Couplers>,
+    /// Wind over the line; left out: none.
+    #[garde(dive)]
+    pub wind: Option<Wind>,
     /// Groups of equal vehicles from head to tail.
     #[garde(length(min = 1), dive)]
     pub vehicles: Vec<VehicleGroup>,
+}
+
+/// How the couplers are at the start: the values of the train's parameter `initial.couplers`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Couplers {
+    /// Without force, in the middle of their slack.
+    Unstressed = 0,
+    /// Loaded to the forces of uniform acceleration.
+    InBalance = 1,
+}
+
+/// A uniform wind over the line.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Wind {
+    /// Speed of the air, m/s.
+    #[garde(range(min = 0.0, max = 60.0))]
+    pub speed_m_per_s: f64,
+    /// Angle that it comes from, to the right of the heading at the beginning of the track; 0 is a
+    /// head wind there.
+    #[serde(default)]
+    #[garde(range(min = -360.0, max = 360.0))]
+    pub direction_deg: f64,
 }
 
 /// A number of equal vehicles one behind the other.
@@ -198,6 +230,10 @@ pub struct VehicleReplacement {
     #[serde(default)]
     #[garde(skip)]
     pub names: BTreeMap<String, String>,
+    /// Its parameters, and inputs that keep a value throughout, by their names in the FMU.
+    #[serde(default)]
+    #[garde(skip)]
+    pub parameters: BTreeMap<String, Value>,
 }
 
 /// What is recorded.

@@ -203,7 +203,9 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, file: &str) -> Result<(
     for (i, replacement) in fmus.vehicle_at.iter_mut().enumerate() {
         resolve(&mut replacement.file, &format!("fmus.vehicle_at[{i}].file"), "FMU")?;
     }
-    for value in scenario.heat.iter_mut().flat_map(|heat| heat.parameters.values_mut()) {
+    let of_rails = scenario.heat.iter_mut().flat_map(|heat| heat.parameters.values_mut());
+    let of_vehicles = fmus.vehicle_at.iter_mut().flat_map(|other| other.parameters.values_mut());
+    for value in of_rails.chain(of_vehicles) {
         if let Value::Text(text) = value
             && folder.join(&*text).is_file()
         {

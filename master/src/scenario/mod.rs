@@ -13,8 +13,8 @@ mod load;
 mod value;
 
 pub use file::{
-    Driver, Fmus, Record, Scenario, Scheme, Synchronisation, Track, Train, VehicleGroup,
-    VehicleReplacement,
+    Couplers, Driver, Fmus, Record, Scenario, Scheme, Synchronisation, Track, Train, VehicleGroup,
+    VehicleReplacement, Wind,
 };
 pub use heat::{FieldFailure, Heat, Probe, Rail, Trains};
 pub use load::{ScenarioError, file_of, load};

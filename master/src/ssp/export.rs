@@ -186,10 +186,12 @@ impl Exporter<'_> {
                 parameters: parameters(unit.as_mut(), self.folders)?,
             });
         }
-        for rail in &self.lockstep.rails {
-            let name = component_name(rail.unit.name());
+        let train = &self.lockstep.train;
+        let rails = self.lockstep.rails.iter().map(|rail| (&rail.unit, &rail.constants));
+        for (unit, kept) in std::iter::once((&train.unit, &train.constants)).chain(rails) {
+            let name = component_name(unit.name());
             let component = structure.components.iter_mut().find(|other| other.name == name);
-            component.into_iter().for_each(|rails| rails.parameters.extend(constants(rail)));
+            component.into_iter().for_each(|own| own.parameters.extend(constants(&**unit, kept)));
         }
         if !self.lockstep.vehicles.is_empty() {
             let source = self.sources.add(controller);
@@ -266,7 +268,7 @@ impl Exporter<'_> {
         .collect()
     }
 
-    /// From the vehicles' wheelsets to the rail.
+    /// From the vehicles' wheelsets to the rail, and from the train the heat of their brakes.
     fn wheels(&self, rail: &Rail) -> Vec<Connection> {
         let name = component_name(rail.unit.name());
         let mut connections = vec![];
@@ -282,6 +284,11 @@ impl Exporter<'_> {
                         (&name, &rail.inputs, block + input),
                     ));
                 }
+                let heat = i * train::NAMES.len() + train::WHEEL_BRAKE_POWER;
+                connections.extend(connection(
+                    (TRAIN, &self.lockstep.train.outputs, heat),
+                    (&name, &rail.inputs, block + rail_input::BRAKE_POWER),
+                ));
                 block += rail_input::NAMES.len();
             }
         }
@@ -318,13 +325,13 @@ fn connection(output: PortPlace<'_>, input: PortPlace<'_>) -> Option<Connection>
     Some(Connection::of(endpoint(output.0, from), endpoint(input.0, to), way))
 }
 
-/// The inputs of a rail that keep a value throughout.
-fn constants(rail: &Rail) -> Vec<Parameter> {
-    let parameter = |&(reference, value)| {
-        let name = rail.unit.interface().name_of(VariableType::Real, reference)?;
+/// The inputs of a unit that keep a value throughout.
+fn constants(unit: &dyn Unit, kept: &[(u32, f64)]) -> Vec<Parameter> {
+    let parameter = |&(reference, value): &(u32, f64)| {
+        let name = unit.interface().name_of(VariableType::Real, reference)?;
         Some(Parameter::new(name, Value::Real(value)))
     };
-    rail.constants.iter().filter_map(parameter).collect()
+    kept.iter().filter_map(parameter).collect()
 }
 
 fn gains(gains: &Gains) -> Vec<Parameter> {

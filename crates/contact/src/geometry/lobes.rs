@@ -97,13 +97,12 @@ fn barrier(gaps: &[f64], lobes: &[Lobe], i: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// Two parabolas with minima of 0 and `excess`, and a barrier of `height` between them, in m.
+    /// Two valleys whose bottoms lie at 0 and `excess`, and a barrier of `height` between, in m.
     fn gaps(height: f64, excess: f64) -> Vec<f64> {
-        let wave = |t: f64| height * (1.0 - (std::f64::consts::TAU * t).cos()) / 2.0;
-        let slope = |t: f64| if t < 0.5 { 0.0 } else { excess };
-        let inner = (0..=200).map(|i| f64::from(i) / 200.0).map(|t| {
-            let rise = if t < 0.5 { wave(t) } else { slope(t) + wave(t) * (1.0 - excess / height) };
-            rise
+        let hill = |i: i32| 0.5 - 0.5 * (std::f64::consts::TAU * f64::from(i) / 200.0).cos();
+        let inner = (0..=200).map(|i| match i {
+            ..100 => height * hill(i),
+            _ => excess + (height - excess) * hill(i),
         });
         let outer = (1..100).map(|i| 1e-6 * f64::from(i));
         outer.clone().rev().chain(inner).chain(outer.map(|g| excess + g)).collect()

@@ -105,7 +105,15 @@ impl Section {
     pub fn compile(self, name: &str, folder: &Path) -> Result<Irregularity, TrackError> {
         let grid = match (&self.file, &self.spectrum) {
             (None, None) => None,
-            (Some(file), None) => Some(measured(&folder.join(file))?),
+            (Some(file), None) if file.components().count() == 1 => {
+                Some(measured(&folder.join(file))?)
+            }
+            (Some(file), None) => {
+                return Err(TrackError::Elsewhere {
+                    file: name.to_owned(),
+                    value: file.display().to_string(),
+                });
+            }
             (None, Some(spectrum)) => Some(spectrum.checked(name)?.grid()),
             (Some(_), Some(spectrum)) => {
                 let wanted = "leave either irregularity.file or irregularity.spectrum out";

@@ -1,6 +1,6 @@
 //! The rail as a beam on a Winkler foundation: what bending does to its temperature.
 //!
-//! Under a wheel load P (theory eq. 14 to 17), with β = (u/(4 E I))^¼:
+//! Under a wheel load P (theory eq. 20 to 22), with β = (u/(4 E I))^¼:
 //!
 //! ```text
 //! M(x) = P/(4β) e^(-β|x|) (cos β|x| - sin β|x|)
@@ -52,14 +52,17 @@ impl Beam {
         (self.track_modulus / (4.0 * self.modulus * self.second_moment)).sqrt().sqrt()
     }
 
-    /// Bending moment in N·m at a distance in m from a wheel load in N; positive puts the foot in
+    /// Bending moment in N·m under wheel loads in N at their distances in m; positive puts the foot in
     /// tension.
-    pub fn moment(&self, load: f64, distance: f64) -> f64 {
-        let x = self.decay() * distance.abs();
-        if x > REACH {
-            return 0.0;
-        }
-        load / (4.0 * self.decay()) * (-x).exp() * (x.cos() - x.sin())
+    pub fn moment(&self, loads: impl IntoIterator<Item = (f64, f64)>) -> f64 {
+        let decay = self.decay();
+        let reach = REACH / decay;
+        let near = loads.into_iter().filter(|(_, distance)| distance.abs() <= reach);
+        let of_load = |(load, distance): (f64, f64)| {
+            let x = decay * distance.abs();
+            load * (-x).exp() * (x.cos() - x.sin())
+        };
+        near.map(of_load).sum::<f64>() / (4.0 * decay)
     }
 
     /// Reversible temperature change in K of the foot's underside by a bending moment, at a

@@ -79,6 +79,7 @@ impl Energy {
             along: parameters.conducts_along.then(|| Along::new(line.elements)),
             crown: Crown::new(&cells, &modes),
             bending: bending_shape(&cells, &modes, &parameters),
+            hysteresis: parameters.beam.hysteresis(1.0),
             propagator: Propagator::new(&modes, parameters.interval),
             surface: vec![0.0; line.elements],
             foot: Highest { rise: 0.0, chainage: line.chainage(0) },
@@ -179,10 +180,8 @@ impl Energy {
     /// Reversible temperature change of the foot at a chainage by the bending under all wheels, K.
     pub fn thermoelastic(&self, chainage: f64, wheels: &[Wheel]) -> f64 {
         let Parameters { beam, material, .. } = &self.parameters;
-        let moment: f64 = wheels
-            .iter()
-            .map(|wheel| beam.moment(wheel.contact.normal_force, wheel.position - chainage))
-            .sum();
+        let load = |wheel: &Wheel| (wheel.contact.normal_force, wheel.position - chainage);
+        let moment = beam.moment(wheels.iter().map(load));
         let temperature = self.zones[0].initial.mean(self.untouched.surface());
         beam.thermoelastic(moment, temperature, material.heat_capacity())
     }

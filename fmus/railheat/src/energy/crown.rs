@@ -2,7 +2,7 @@
 //!
 //! The heat of a contact of half width b at the lateral place y spreads over the running surface
 //! as full slip in a Hertz contact does. Summed along the rail, the semi-ellipsoid of the flux is
-//! a parabola, 1-(s/b)², whose share left of s is
+//! a parabola, 1-(s/b)², whose share left of s is (theory eq. 17)
 //!
 //! ```text
 //! F(s) = 1/2 + 3/4 (s/b) - 1/4 (s/b)³

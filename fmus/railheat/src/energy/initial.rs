@@ -1,7 +1,7 @@
 //! The rail's temperatures at the start, from which all rises count.
 //!
 //! Uniform, in equilibrium with a weather, or as a day leaves them that has come again and again
-//! (theory section 9). In the last case u = T - T_b = Φ a₀ is neither uniform nor steady, and evens
+//! (theory eq. 14). In the last case u = T - T_b = Φ a₀ is neither uniform nor steady, and evens
 //! out by itself while b = a - a₀, the rise since the start, begins at zero:
 //!
 //! ```text

@@ -1,4 +1,4 @@
-//! Heat by source, and the audit.
+//! Heat by source, and the audit (theory eq. 23).
 
 use std::ops::AddAssign;
 

@@ -64,6 +64,8 @@ pub struct Energy {
     pub(super) readings: Readings,
     /// Amplitudes by bending heat of 1 J/m.
     pub(super) bending: Vec<f64>,
+    /// Heat of hysteresis by a wheel load of one, over the square of the load, J/(m·N²).
+    pub(super) hysteresis: f64,
     pub(super) untouched: Untouched,
     pub(super) propagator: Propagator,
     /// Directions of the track.
@@ -151,7 +153,7 @@ impl Energy {
 
     /// The wheels go from one share of the step to another and leave heat where they pass.
     fn pass(&mut self, wheels: &[Wheel], weather: &Weather, length: f64, from: f64, to: f64) {
-        let Parameters { line, material, wheel: heat, beam, .. } = &self.parameters;
+        let Parameters { line, material, wheel: heat, .. } = &self.parameters;
         let time = length * (to - from);
         for (index, wheel) in wheels.iter().enumerate() {
             if wheel.is_absent() {
@@ -160,13 +162,14 @@ impl Energy {
             }
             let temperature = self.state.wheels[index];
             let mut gained = heat.gain(wheel, temperature, weather.ambient, time);
-            if wheel.contact.normal_force > 0.0 {
+            let load = wheel.contact.normal_force;
+            if load > 0.0 {
                 let begin = self.state.positions[index].unwrap_or(wheel.position);
                 let way =
                     (between(begin, wheel.position, from), between(begin, wheel.position, to));
                 let friction = heat.partition * wheel.friction_power * time;
                 let conductance = heat.conductance(wheel, material) * time;
-                let bending = beam.hysteresis(wheel.contact.normal_force) * (way.1 - way.0).abs();
+                let bending = self.hysteresis * load * load * (way.1 - way.0).abs();
                 for (element, share) in line.shares(way.0, way.1) {
                     let rail = self.zones[usize::from(self.zone_of[element])].crown;
                     let over = temperature - rail - self.surface[element];

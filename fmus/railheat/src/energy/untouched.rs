@@ -7,7 +7,7 @@
 //! s = L (q(T) - q_0 + H r),    T = T_0 + r
 //! ```
 //!
-//! with the flux q_0 that the initial temperatures T_0 balance (theory eq. 12). In equilibrium
+//! with the flux q_0 that the initial temperatures T_0 balance (theory eq. 13). In equilibrium
 //! s = 0 and r = 0 to the last bit, so that rail without wheels stays as it is. Where the initial
 //! temperatures are neither uniform nor in equilibrium, they even out meanwhile (`initial.rs`).
 

@@ -67,11 +67,11 @@ fn benchmark_bending() {
                 expansion: 11.5e-6,
                 loss_factor: 1e-3,
             };
-            let highest = beam.moment(load, 0.0);
+            let highest = beam.moment([(load, 0.0)]);
             assert!((highest / 1000.0 / moment - 1.0).abs() < 0.003, "{highest} against {moment}");
             let found = 1000.0 * beam.thermoelastic(highest, 293.0, steel);
             assert!((found - change).abs() < 1.0, "{found} mK against {change}");
-            let uplift = beam.moment(load, 0.5 * std::f64::consts::PI / beam.decay()) / highest;
+            let uplift = beam.moment([(load, 0.5 * std::f64::consts::PI / beam.decay())]) / highest;
             assert!((uplift + 0.208).abs() < 5e-4, "{uplift}");
         }
     }

@@ -1,6 +1,6 @@
 //! The rail-heat model against closed forms and published numbers.
 //!
-//! Sources: V1 to V16 and the sections named are those of `docs/theory/railheat.md`, whose
+//! Sources: V1 to V16 and the sections named are those of `docs/theory/railheat`, whose
 //! reference values were computed independently of this code. All with the paper's steel
 //! (k = 40, ρ = 7850, c = 450) unless stated.
 
@@ -16,4 +16,5 @@ mod flash;
 mod paper;
 mod section;
 mod site;
+mod staircase;
 mod weather;
