@@ -19,7 +19,7 @@ fn evaluation(c: &mut Criterion) {
         b.iter(|| Polach::DRY.force(black_box(&patch), black_box(&slip), black_box(20.0)))
     });
     c.bench_function("wheelset geometry", |b| {
-        b.iter(|| wheelset_geometry(&pair, black_box(0.003)))
+        b.iter(|| wheelset_geometry(&pair, black_box(0.003), 0.0))
     });
     // A new radius each time makes a new table.
     let mut radius = 0.40;

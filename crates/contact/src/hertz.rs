@@ -15,7 +15,7 @@
 use crate::Material;
 
 /// Contact ellipse for a load of 1 N; semi-axes grow with N^(1/3).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UnitContact {
     /// Semi-axis in the rolling direction for 1 N, in m/N^(1/3).
     pub semi_axis_rolling: f64,

@@ -23,7 +23,7 @@ type Row = [f64; 3];
 type Column = [Row; 10];
 
 /// Kalker's coefficients of one contact ellipse.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CreepCoefficients {
     /// Longitudinal C11.
     pub c11: f64,

@@ -7,14 +7,14 @@
 //! | [`wheelset_geometry`] | both wheels of a rolled wheelset at once, for validation | rigid wheelset |
 //! | [`hertz`] | size and stiffness of the contact ellipse | Hertz, exact |
 //! | [`kalker`] | creep coefficients | Kalker 1990 |
-//! | [`Polach`] | creep forces and friction power | Polach 1999, 2005 |
+//! | [`CreepLaw`] | creep forces and friction power | Kalker 1982, Spiryagin 2013, Polach 2005 |
 //!
 //! One wheel is seen in the plane across the track. `lateral` is positive towards the field side
 //! (away from the track's middle) on wheel and rail alike, heights are positive downwards. So the
 //! same table serves the left and the right wheel, and a mirrored pair of wheels gives mirrored
 //! numbers bit by bit.
 //!
-//! A step needs only [`GeometryTable::at`], [`ContactPoint::patch`] and [`Polach::force`]; none of
+//! A step needs only [`GeometryTable::at`], [`ContactPoint::patch`] and [`CreepLaw::force`]; none of
 //! them allocates, locks or fails.
 
 mod creep;
@@ -25,7 +25,10 @@ pub mod kalker;
 mod material;
 mod profile;
 
+pub use creep::flexibility::Reduction;
 pub use creep::friction::FallingFriction;
+pub use creep::law::CreepLaw;
+pub use creep::modified_fastsim::ModifiedFastsim;
 pub use creep::polach::Polach;
 pub use creep::{CreepForces, Creepages, REFERENCE_SPEED_MIN, SlipVelocity};
 pub use error::ContactError;

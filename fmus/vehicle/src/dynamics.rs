@@ -20,7 +20,8 @@ use crate::line::Line;
 use crate::rail::{Deflection, RailMotion};
 use crate::structure::Structure;
 use crate::suspension::{ElementEnergy, ElementState};
-use crate::wheelset::{WheelOutput, WheelsetStep};
+use crate::wheel_output::WheelOutput;
+use crate::wheelset::WheelsetStep;
 
 /// Longest step of any vehicle, s.
 pub const LONGEST_STEP: f64 = 1e-3;

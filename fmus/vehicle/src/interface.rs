@@ -11,10 +11,14 @@ use crate::inputs::Inputs;
 use crate::line::Line;
 use crate::signals::Signals;
 use crate::structure::{Structure, multibody};
+use crate::wheel::Standing;
+use crate::wheel_output::WheelOutput;
 
 /// A railway vehicle in three dimensions.
 pub struct Vehicle {
     dynamics: Dynamics,
+    /// How each wheel stood when it was last reported.
+    reported: Vec<[Standing; 2]>,
 }
 
 impl Model for Vehicle {
@@ -65,8 +69,10 @@ impl Model for Vehicle {
                 equilibrium.residual
             ));
         }
-        let vehicle = Self { dynamics };
-        vehicle.check_on_track()?;
+        let mut vehicle =
+            Self { reported: vec![[Standing::OnRail; 2]; dynamics.wheels.len()], dynamics };
+        vehicle.check_numbers()?;
+        vehicle.report_wheels(log);
         vehicle.write_outputs(signals, values);
         Ok(vehicle)
     }
@@ -76,14 +82,15 @@ impl Model for Vehicle {
         signals: &Signals,
         values: &mut Values,
         interval: Interval,
-        _log: &mut Log,
+        log: &mut Log,
     ) -> Result<(), ModelError> {
         let inputs = checked(signals.read(values))?;
         let steps = steps(interval.length, self.dynamics.longest_step());
         for _ in 0..steps {
             self.dynamics.step(interval.length / f64::from(steps), &inputs);
         }
-        self.check_on_track()?;
+        self.check_numbers()?;
+        self.report_wheels(log);
         self.write_outputs(signals, values);
         Ok(())
     }
@@ -98,20 +105,45 @@ impl Model for Vehicle {
 }
 
 impl Vehicle {
-    /// A wheel that has left the profiles is the end of the run.
-    fn check_on_track(&self) -> Result<(), ModelError> {
+    /// A number that is none is the end of the run.
+    fn check_numbers(&self) -> Result<(), ModelError> {
         let dynamics = &self.dynamics;
-        let derailed = |wheels: &&[crate::wheelset::WheelOutput; 2]| {
-            wheels.iter().any(|wheel| wheel.derailed || wheel.normal.is_nan())
+        let broken = |wheels: &[WheelOutput; 2]| {
+            wheels.iter().any(|wheel| !(wheel.normal + wheel.friction_power).is_finite())
         };
-        match dynamics.wheels.iter().position(|wheels| derailed(&wheels)) {
-            None => Ok(()),
-            Some(i) => Err(ModelError::new(format!(
-                "wheelset[{}] has left the rails at chainage {:.2} m and {:.2} m/s",
-                i + 1,
-                dynamics.position(),
+        let position = dynamics.position();
+        match dynamics.wheels.iter().position(broken) {
+            None if position.is_finite() => Ok(()),
+            found => Err(ModelError::new(format!(
+                "the motion has no finite numbers any more (wheelset[{}], chainage {position:.2} m, \
+                 {:.2} m/s): look for forces that are far too large, or an unstable element",
+                found.map_or(1, |i| i + 1),
                 dynamics.velocity()
             ))),
+        }
+    }
+
+    /// Tells when a wheel loses its contact, leaves the profiles or is back.
+    fn report_wheels(&mut self, log: &mut Log) {
+        let dynamics = &self.dynamics;
+        for (i, (wheels, before)) in dynamics.wheels.iter().zip(&mut self.reported).enumerate() {
+            for ((wheel, before), side) in wheels.iter().zip(before).zip(["left", "right"]) {
+                if wheel.standing == *before {
+                    continue;
+                }
+                *before = wheel.standing;
+                let what = match wheel.standing {
+                    Standing::OnRail => "is back on its rail",
+                    Standing::Lifted => "has lost contact with its rail",
+                    Standing::Derailed => "has left the rail: it climbed over it or fell off it",
+                };
+                log.warning(format!(
+                    "wheelset[{}].{side} {what} at chainage {:.2} m and {:.2} m/s",
+                    i + 1,
+                    dynamics.position(),
+                    dynamics.velocity()
+                ));
+            }
         }
     }
 
@@ -137,6 +169,10 @@ impl Vehicle {
                 values[handles.a] = wheel.a;
                 values[handles.b] = wheel.b;
                 values[handles.rail_lateral] = wheel.rail_lateral;
+                values[handles.standing] = f64::from(wheel.standing as u8);
+                for (handles, patch) in handles.patches.iter().zip(&wheel.patches) {
+                    handles.write(patch, values);
+                }
             }
         }
         for (handles, state) in signals.bodies.iter().zip(&dynamics.state.bodies) {

@@ -9,14 +9,15 @@
 //! | `suspension/` | springs, dampers, stops, friction: one file for each element |
 //! | `line.rs` | what a vehicle runs on: designed track, irregularities, support |
 //! | `rail.rs` | the rails under a wheelset: irregularities, elastic support |
-//! | `wheel.rs` | a wheel on its rail: approach, normal force, slip |
+//! | `wheel.rs`, `patch.rs` | a wheel and the contacts in which it touches: approach, normal force, slip |
 //! | `wheelset.rs` | a wheelset's step with its contact forces |
+//! | `wheel_output.rs` | what a wheel does to its rail at the end of a step |
 //! | `drive.rs` | traction and brake of a wheelset |
 //! | `dynamics.rs` | the vehicle in motion: state and step |
 //! | `equilibrium.rs` | the start in equilibrium |
 //! | `statics.rs`, `linear/` | static load of the springs; the vehicle linearised |
 //! | `energy.rs`, `inputs.rs`, `six.rs` | energy account; forces from outside; algebra |
-//! | `signals.rs`, `track_forces.rs`, `interface.rs` | the model as an FMU |
+//! | `signals.rs`, `patch_signals.rs`, `track_forces.rs`, `interface.rs` | the model as an FMU |
 //!
 //! Equations are numbered in `docs/theory/vehicle.md`. Axes: x along the track in the running
 //! direction, y to the right, z down; SI units.
@@ -31,6 +32,8 @@ pub mod inputs;
 mod interface;
 pub mod line;
 pub mod linear;
+pub mod patch;
+mod patch_signals;
 pub mod rail;
 mod signals;
 pub mod six;
@@ -39,6 +42,7 @@ pub mod structure;
 pub mod suspension;
 mod track_forces;
 pub mod wheel;
+pub mod wheel_output;
 pub mod wheelset;
 
 pub use interface::Vehicle;

@@ -17,7 +17,7 @@ use track::{RailOffset, Support};
 use crate::body::BodyState;
 use crate::energy::Account;
 use crate::six::Six;
-use crate::wheelset::WheelOutput;
+use crate::wheel_output::WheelOutput;
 
 /// Least slip, m/s, by which the slope of the creep force is estimated.
 const LEAST_SLIP: f64 = 1e-4;

@@ -3,7 +3,9 @@
 use fmu::{Declaration, Real, Text, Values, unit};
 
 use crate::inputs::Inputs;
+use crate::patch_signals::PatchSignals;
 use crate::track_forces::TrackForceSignals;
+use crate::wheel::PATCHES;
 
 /// Handles of all variables.
 #[derive(Debug)]
@@ -54,6 +56,8 @@ pub(crate) struct WheelSignals {
     pub(crate) a: Real,
     pub(crate) b: Real,
     pub(crate) rail_lateral: Real,
+    pub(crate) standing: Real,
+    pub(crate) patches: [PatchSignals; PATCHES],
 }
 
 /// Handles of the attitude of a body.
@@ -96,6 +100,7 @@ impl Signals {
         let car = std::iter::once(("body".to_owned(), "Car body".to_owned()));
         let frames = (1..=bogies).map(|i| (format!("bogie[{i}]"), format!("Bogie frame {i}")));
         let bodies: Vec<_> = car.chain(frames).collect();
+        declare_terminals(d, wheelsets);
         Self {
             vehicle_file: d.text_parameter(
                 "vehicle_file",
@@ -145,6 +150,19 @@ impl Signals {
             brake: values[inputs.brake],
             synchronisation: values[inputs.synchronisation],
             friction: values[inputs.friction],
+        }
+    }
+}
+
+/// What is connected together: the couplers with the train, the wheels with the rail.
+fn declare_terminals(d: &mut Declaration, wheelsets: usize) {
+    for end in ["front", "rear"] {
+        d.terminal(format!("coupler.{end}"), "coupler", format!("The {end} coupler"));
+    }
+    for number in 1..=wheelsets {
+        for side in ["left", "right"] {
+            let description = format!("The {side} wheel of wheelset {number} on its rail");
+            d.terminal(format!("wheelset[{number}].{side}"), "wheel", description);
         }
     }
 }
@@ -258,6 +276,14 @@ impl WheelSignals {
                 unit::METRE,
                 "Contact on the rail head from its top, negative towards the gauge side",
             ),
+            standing: output(
+                "contact.state",
+                unit::ONE,
+                "0: on its rail, 1: lifted off it, 2: climbed over it or fallen off it",
+            ),
+            patches: std::array::from_fn(|i| {
+                PatchSignals::declare(d, &format!("{wheelset}.{side}"), i + 1)
+            }),
         }
     }
 }

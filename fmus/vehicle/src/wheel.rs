@@ -1,13 +1,13 @@
-//! One wheel on its rail: where it touches, how hard, and how it slips.
-//!
-//! Rows `longitudinal`, `lateral` and `normal` give the velocity of the wheel's contact point in
-//! the three directions of the contact from the wheelset's velocities (vx, vy, vz, wx, wy, wz);
-//! their transposes carry the forces back, so that force and slip have the same power.
+//! One wheel on its rail: the contacts in which it touches.
 
-use contact::{ContactPatch, ContactPoint, CreepForces, GeometryTable, Polach, SlipVelocity};
+use contact::{GeometryTable, Polach};
 
 use crate::body::BodyState;
-use crate::six::{Six, dot};
+use crate::patch::Patch;
+use crate::six::Six;
+
+/// Most contacts of a wheel at the same time.
+pub const PATCHES: usize = GeometryTable::MOST_PATCHES;
 
 /// Rail on which a wheel runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,131 +39,80 @@ pub struct WheelData {
     pub damping: f64,
 }
 
-/// A wheel at one place, before its forces are known.
-#[derive(Clone, Copy, Debug)]
-pub struct Wheel {
-    /// Geometry from the table.
-    point: ContactPoint,
-    /// Elastic approach along the normal, m; zero or negative without contact (eq. 17).
-    approach: f64,
-    /// Normal force without damping, N (eq. 18).
-    elastic_force: f64,
-    /// Row of the longitudinal slip (eq. 20).
-    pub longitudinal: Six,
-    /// Row of the lateral slip in the contact plane (eq. 21).
-    pub lateral: Six,
-    /// Row of the speed of approach along the normal (eq. 19).
-    pub normal: Six,
-    /// Row of the rotation about the normal (eq. 22).
-    spin: Six,
+/// How a wheel stands on its rail.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Standing {
+    /// It touches the rail within its profile.
+    #[default]
+    OnRail,
+    /// It does not touch the rail.
+    Lifted,
+    /// It has left the profiles: climbed over the rail or fallen off it.
+    Derailed,
 }
 
-/// Forces of a contact at the beginning of a step, and how they change with slip.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Linearised {
-    /// Normal force, N.
-    pub normal: f64,
-    /// Its change with the speed of approach, N s/m.
-    pub normal_damping: f64,
-    /// Creep forces on the wheel.
-    pub creep: CreepForces,
-    /// Semi-axis of the contact in the rolling direction, m.
-    pub a: f64,
-    /// Semi-axis across, m.
-    pub b: f64,
+/// A wheel at one place.
+#[derive(Clone, Copy, Debug)]
+pub struct Wheel {
+    patches: [Patch; PATCHES],
+    count: usize,
+    beyond: bool,
 }
 
 impl Wheel {
-    /// The wheel on `side` of a wheelset at `state`.
+    /// The wheel on `side` of a wheelset at `state`, without its forces.
     #[inline]
     pub fn new(side: Side, data: &WheelData, table: &GeometryTable, state: &BodyState) -> Self {
-        let sign = side.sign();
-        let (roll, yaw) = (state.rotation.x, state.rotation.z);
-        // Eq. 16: shift towards the flange, and descent of the contact point.
-        let point = table.at(sign * (state.position.y - data.radius * roll));
-        let across = sign * (data.half_distance + point.wheel_lateral);
-        let descent = state.position.z + across * roll;
-        let approach = (descent - point.drop) * point.cos_angle;
-        let pressed = approach.max(0.0);
-        let radius = data.radius + point.radius_change + pressed * point.cos_angle;
-        let (sin, cos) = (sign * point.sin_angle, point.cos_angle);
-        Self {
-            point,
-            approach,
-            elastic_force: point.hertz.normal_force(approach),
-            longitudinal: [1.0, yaw, 0.0, 0.0, radius, -across],
-            lateral: [-yaw * cos, cos, -sin, -radius * cos - across * sin, 0.0, 0.0],
-            normal: [0.0, sin, cos, -radius * sin + across * cos, 0.0, 0.0],
-            spin: [0.0, 0.0, 0.0, 0.0, sin + roll * cos, cos],
+        // Eq. 16: shift towards the flange.
+        let shift = side.sign() * (state.position.y - data.radius * state.rotation.x);
+        let yaw_squared = state.rotation.z * state.rotation.z;
+        let mut wheel = Self { patches: Default::default(), count: 0, beyond: false };
+        let mut nearest: Option<Patch> = None;
+        for number in 0..table.patches() {
+            let Some(point) = table.patch(number, shift, yaw_squared) else {
+                continue;
+            };
+            let patch = Patch::new(number, point, side, data, state);
+            wheel.beyond |= point.beyond;
+            if patch.elastic_force > 0.0 {
+                wheel.patches[wheel.count] = patch;
+                wheel.count += 1;
+            } else if nearest.is_none_or(|nearest| patch.approach > nearest.approach) {
+                nearest = Some(patch);
+            }
         }
+        if let (0, Some(nearest)) = (wheel.count, nearest) {
+            wheel.patches[0] = nearest;
+        }
+        wheel
     }
 
-    /// Forces with the wheelset's velocities against the track's frame; `speed` is that of travel.
+    /// Finds the forces of all contacts with the wheelset's velocities against the track's frame;
+    /// `speed` is that of travel.
     #[inline]
-    pub fn forces(
-        &self,
-        data: &WheelData,
-        creep: &Polach,
-        velocities: &Six,
-        speed: f64,
-    ) -> Linearised {
-        let normal_damping = self.elastic_force * data.damping;
-        let normal = self.elastic_force + normal_damping * dot(&self.normal, velocities);
-        if normal.is_nan() || normal <= 0.0 {
-            return Linearised::default();
-        }
-        let patch: ContactPatch = self.point.patch(normal);
-        Linearised {
-            normal,
-            normal_damping,
-            creep: creep.force(&patch, &self.slip(velocities), speed),
-            a: patch.a,
-            b: patch.b,
+    pub fn load(&mut self, data: &WheelData, creep: &Polach, velocities: &Six, speed: f64) {
+        for patch in &mut self.patches[..self.count] {
+            patch.load(data.damping, creep, velocities, speed);
         }
     }
 
-    /// Slip of the wheel on the rail.
+    /// The contacts that press.
     #[inline]
-    pub fn slip(&self, velocities: &Six) -> SlipVelocity {
-        SlipVelocity {
-            longitudinal: dot(&self.longitudinal, velocities),
-            lateral: dot(&self.lateral, velocities),
-            spin: dot(&self.spin, velocities),
+    pub fn patches(&self) -> &[Patch] {
+        &self.patches[..self.count]
+    }
+
+    /// A contact that presses, or the nearest one of a lifted wheel.
+    pub fn nearest(&self) -> &Patch {
+        &self.patches[0]
+    }
+
+    /// How the wheel stands.
+    pub fn standing(&self) -> Standing {
+        match (self.beyond, self.count) {
+            (true, _) => Standing::Derailed,
+            (false, 0) => Standing::Lifted,
+            (false, _) => Standing::OnRail,
         }
-    }
-
-    /// The row of the rotation about the normal.
-    pub fn spin_row(&self) -> &Six {
-        &self.spin
-    }
-
-    /// Lateral force in the plane of the rails of creep and normal force, N.
-    pub fn across(&self, lateral: f64, normal: f64) -> f64 {
-        lateral * self.lateral[1] - normal * self.normal[1]
-    }
-
-    /// Force upwards, square to the plane of the rails, of creep and normal force, N.
-    pub fn upwards(&self, lateral: f64, normal: f64) -> f64 {
-        normal * self.normal[2] - lateral * self.lateral[2]
-    }
-
-    /// Normal force without damping, N.
-    pub fn elastic_force(&self) -> f64 {
-        self.elastic_force
-    }
-
-    /// Place of the contact on the rail head, m from its top, negative towards the gauge side.
-    pub fn rail_lateral(&self) -> f64 {
-        self.point.rail_lateral
-    }
-
-    /// Whether the wheel has left its profile: climbed over the rail or fallen off it.
-    pub fn derailed(&self) -> bool {
-        self.point.beyond
-    }
-
-    /// Elastic energy of the contact, J: the integral of the normal force over the approach.
-    pub fn elastic_energy(&self) -> f64 {
-        0.4 * self.elastic_force * self.approach.max(0.0)
     }
 }

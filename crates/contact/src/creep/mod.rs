@@ -3,8 +3,24 @@
 //! Axes: x along the track, y to the right, z down. Creepage is (wheel - rail)/speed, so positive
 //! longitudinal creepage is traction. All forces act on the **wheel**, opposed to its slip; the force
 //! on the rail, which drives the train, is the opposite.
+//!
+//! | file | part |
+//! |---|---|
+//! | `law.rs` | the laws to choose from |
+//! | `modified_fastsim.rs` | modified FASTSIM, by table or on line |
+//! | `fastsim.rs`, `fastsim_table.rs` | simplified theory, dimensionless, and its table |
+//! | `flexibility.rs` | its flexibilities |
+//! | `polach.rs` | Polach's closed formula |
+//! | `linear.rs` | Kalker's linear theory, with Shen, Hedrick and Elkins' limit |
+//! | `friction.rs` | friction that falls with slip |
 
+mod fastsim;
+mod fastsim_table;
+pub(crate) mod flexibility;
 pub(crate) mod friction;
+pub(crate) mod law;
+mod linear;
+pub(crate) mod modified_fastsim;
 pub(crate) mod polach;
 
 /// Least reference speed in m/s that slip velocities are divided by.
@@ -54,18 +70,20 @@ pub struct Creepages {
 pub struct CreepForces {
     /// Force on the wheel along the track, in N: `-damping * slip.longitudinal`.
     pub longitudinal: f64,
-    /// Force on the wheel across, in N: `-damping * slip.lateral + spin_force`.
+    /// Force on the wheel across, in N: `-lateral_damping * slip.lateral + spin_force`.
     pub lateral: f64,
     /// Moment on the wheel about the contact normal, in N m, positive about z down.
     pub spin_moment: f64,
     /// Power turned into heat, in W, never negative.
     pub friction_power: f64,
-    /// Force by slip velocity, in N s/m, never negative: the secant of the creep curve.
+    /// Force by longitudinal slip velocity, in N s/m, never negative: the secant of the creep curve.
     ///
     /// The curve is concave, so the secant is at least the tangent. An integrator that takes
     /// `-damping * slip` at the end of its step, with `damping` from the beginning, is stable at any
     /// speed, also where friction falls with slip.
     pub damping: f64,
+    /// The same for lateral slip, without spin.
+    pub lateral_damping: f64,
     /// The part of the lateral force that spin causes, in N; it needs no implicit treatment.
     pub spin_force: f64,
 }

@@ -92,6 +92,7 @@ impl Polach {
             spin_moment: direction * cut * coupling * eta - spin_damping * slip.spin,
             friction_power: damping * slip_squared + spin_damping * slip.spin * slip.spin,
             damping,
+            lateral_damping: damping,
             spin_force,
         }
     }

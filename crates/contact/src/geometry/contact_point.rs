@@ -4,7 +4,7 @@ use crate::hertz::UnitContact;
 use crate::kalker::CreepCoefficients;
 
 /// Contact of one wheel at one lateral shift.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactPoint {
     /// Downward displacement of the wheel at which it first touches, in m, relative to shift 0.
     /// It falls where the flange lifts the wheel.

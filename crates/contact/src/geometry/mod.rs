@@ -3,15 +3,19 @@
 //! | file | part |
 //! |---|---|
 //! | `pair.rs` | the dimensions of a wheel over a rail |
-//! | `search.rs` | the quasi-elastic search for the contact at one placement |
+//! | `search.rs` | the quasi-elastic search for the contacts at one placement |
+//! | `lobes.rs` | which parts of the profile touch apart from each other |
+//! | `slots.rs` | contacts followed from shift to shift |
 //! | `contact_point.rs` | what is known at a contact |
 //! | `table.rs` | contacts over the lateral shift, interpolated |
 //! | `shared.rs` | one table for each pair in a process |
 //! | `wheelset.rs` | both wheels of a rolled wheelset, for validation |
 
 pub(crate) mod contact_point;
+mod lobes;
 pub(crate) mod pair;
 mod search;
 mod shared;
+mod slots;
 pub(crate) mod table;
 pub(crate) mod wheelset;

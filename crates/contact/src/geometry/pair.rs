@@ -6,7 +6,7 @@ use crate::{ContactError, RailProfile, WheelProfile};
 const GAUGE_DEPTH: f64 = 0.014;
 
 /// Profiles of a wheel and its rail and the dimensions that place them over each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ProfilePair {
     /// Profile of the wheel.
     pub wheel: WheelProfile,

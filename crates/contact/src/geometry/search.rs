@@ -18,8 +18,10 @@
 //! k = 2 pi s/Z^2 is the curvature of the parabola that comes as close over the same width. It is
 //! always positive, and near a jump it counts both lobes.
 
+use super::lobes::{Lobe, lobes};
 use super::pair::ProfilePair;
-use crate::{ProfilePoint, profile::rail_head::RailHead};
+use crate::hertz::UnitContact;
+use crate::{ProfilePoint, STEEL, profile::rail_head::RailHead};
 use std::f64::consts::TAU;
 
 /// Softness s in m: gaps within a few times this share the load.
@@ -29,7 +31,7 @@ use std::f64::consts::TAU;
 /// pressure within 5 % where there is one contact (`benchmark_manchester_…` in `tests/validation/`).
 /// Heavier wheels would spread over more. A jump is spread over 4 s by the step in slope: 0.1 mm of
 /// shift from tread to flange root, 0.7 mm on the tread.
-const SOFTNESS: f64 = 5e-6;
+pub(super) const SOFTNESS: f64 = 5e-6;
 
 /// Distance of the samples of both profiles, in m. It must resolve the weights on the flange, whose
 /// standard deviation there is sqrt(s / g'') = 0.03 mm.
@@ -55,13 +57,15 @@ pub(super) struct Search {
     gaps: Vec<f64>,
 }
 
-/// The contact at one placement.
+/// One contact of a wheel at one placement.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Touch {
     /// Downward displacement at which the wheel first touches, in m.
     pub drop: f64,
     /// d drop / d shift.
     pub slope: f64,
+    /// d drop / d yaw², in m.
+    pub yaw: f64,
     /// Place on the wheel from the running circle, in m.
     pub wheel_lateral: f64,
     /// Height of the wheel's profile there: the rolling radius above the nominal one, in m.
@@ -70,6 +74,20 @@ pub(super) struct Touch {
     pub rail_lateral: f64,
     /// Curvature of rail and wheel together across the contact, in 1/m.
     pub relative_curvature: f64,
+    /// Share of its own stiffness that the contact has beside its neighbours, 0 to 1 (`lobes.rs`).
+    pub share: f64,
+    /// Lateral places on the wheel between which the contact lies, in m.
+    pub range: (f64, f64),
+}
+
+impl Touch {
+    /// Ellipse and stiffness, with its share, of the contact of a wheel of `nominal_radius` (m).
+    pub(super) fn hertz(&self, nominal_radius: f64) -> UnitContact {
+        let cos_angle = 1.0 / (1.0 + self.slope * self.slope).sqrt();
+        let rolling = 0.5 * cos_angle / (nominal_radius + self.wheel_height);
+        let hertz = UnitContact::new(rolling, 0.5 * self.relative_curvature, &STEEL);
+        UnitContact { stiffness: self.share * hertz.stiffness, ..hertz }
+    }
 }
 
 impl Search {
@@ -81,7 +99,7 @@ impl Search {
             steps(begin, end).map(|lateral| (lateral, pair.wheel.at(lateral))).collect();
         let (rail_begin, rail) = sampled(&head);
         Self {
-            pair: *pair,
+            pair: pair.clone(),
             gaps: vec![0.0; wheel.len()],
             wheel,
             rail,
@@ -90,58 +108,83 @@ impl Search {
         }
     }
 
-    /// The contact of a wheel shifted towards its flange by `shift` metres, without roll; nothing
-    /// if the wheel stands beside the rail.
-    pub(super) fn shifted(&mut self, shift: f64) -> Option<Touch> {
+    /// The contacts of a wheel shifted towards its flange by `shift` metres, without roll and yaw,
+    /// from the flange to the field side; none if the wheel stands beside the rail.
+    pub(super) fn shifted(&mut self, shift: f64) -> Vec<Touch> {
         let offset = self.offset + shift;
-        self.touch(|lateral, height| (offset + lateral, height))
+        self.touches(|lateral, point| (offset + lateral, point.height))
     }
 
-    /// The contact of one wheel of a wheelset whose centre is displaced by `outward` metres towards
-    /// this wheel and rolled by `roll` rad so that this wheel comes lower.
-    pub(super) fn rolled(&mut self, outward: f64, roll: f64) -> Option<Touch> {
+    /// The contacts of one wheel of a wheelset whose centre is displaced by `outward` metres towards
+    /// this wheel, rolled by `roll` rad so that this wheel comes lower, and yawed by `yaw` rad.
+    ///
+    /// Seen along the rail, the outline of a yawed wheel of radius R is that of its points turned
+    /// by -yaw dR/dy about its axle: they lie -R dR/dy yaw² further to the field side and
+    /// R (dR/dy)² yaw²/2 higher than those below the axle; and the whole axle, seen askew, is
+    /// shorter by yaw²/2 of its length.
+    pub(super) fn rolled(&mut self, outward: f64, roll: f64, yaw: f64) -> Vec<Touch> {
         let (sine, cosine) = roll.sin_cos();
         let (arm, radius) = (self.pair.running_circle(), self.pair.nominal_radius);
         let offset = self.offset + outward;
-        self.touch(|lateral, height| {
-            let (y, z) = (arm + lateral, radius + height);
+        let turn = yaw * yaw;
+        self.touches(|lateral, point| {
+            let full = radius + point.height;
+            let bend = turn * full * point.slope;
+            let askew = (1.0 - 0.5 * turn) * (arm + lateral);
+            let (y, z) = (askew - bend, full - 0.5 * bend * point.slope);
             (offset - arm + y * cosine - z * sine, y * sine + z * cosine - radius)
         })
     }
 
-    /// The contact when `place` carries a point of the wheel's profile to its lateral distance from
+    /// The contacts when `place` carries a point of the wheel's profile to its lateral distance from
     /// the rail's top and its height.
-    fn touch(&mut self, place: impl Fn(f64, f64) -> (f64, f64)) -> Option<Touch> {
-        let mut least = f64::INFINITY;
+    fn touches(&mut self, place: impl Fn(f64, &ProfilePoint) -> (f64, f64)) -> Vec<Touch> {
         for (gap, (lateral, point)) in self.gaps.iter_mut().zip(&self.wheel) {
-            let (y, z) = place(*lateral, point.height);
+            let (y, z) = place(*lateral, point);
             *gap = rail_at(&self.rail, self.rail_begin, y).map_or(f64::INFINITY, |r| r.height - z);
-            least = least.min(*gap);
         }
-        if !least.is_finite() {
-            return None;
+        let lobes = lobes(&self.gaps);
+        let mut touches: Vec<Touch> = lobes.iter().map(|lobe| self.mean(lobe, &place)).collect();
+        for i in 1..touches.len() {
+            let apart = lobes[i].separation;
+            // Z/(Z + Z') from the drops, which are -s ln Z.
+            let ratio = ((touches[i].drop - touches[i - 1].drop) / SOFTNESS).exp();
+            touches[i].share *= apart + (1.0 - apart) / (1.0 + ratio);
+            touches[i - 1].share *= apart + (1.0 - apart) / (1.0 + 1.0 / ratio);
         }
+        touches
+    }
+
+    /// Means over a lobe.
+    fn mean(&self, lobe: &Lobe, place: &impl Fn(f64, &ProfilePoint) -> (f64, f64)) -> Touch {
         let (mut sum, mut width) = (0.0, 0.0);
         let mut mean = Touch {
-            drop: least,
+            drop: lobe.least,
             slope: 0.0,
+            yaw: 0.0,
             wheel_lateral: 0.0,
             wheel_height: 0.0,
             rail_lateral: 0.0,
             relative_curvature: 0.0,
+            share: 1.0,
+            range: (self.wheel[lobe.begin].0, self.wheel[lobe.end - 1].0),
         };
-        for (gap, (lateral, point)) in self.gaps.iter().zip(&self.wheel) {
-            let excess = (gap - least) / SOFTNESS;
+        let samples = lobe.begin..lobe.end;
+        for (gap, (lateral, point)) in self.gaps[samples.clone()].iter().zip(&self.wheel[samples]) {
+            let excess = (gap - lobe.least) / SOFTNESS;
             if excess > NEGLIGIBLE {
                 continue;
             }
-            let (y, _) = place(*lateral, point.height);
+            let (y, _) = place(*lateral, point);
             let Some(rail) = rail_at(&self.rail, self.rail_begin, y) else {
                 continue;
             };
             let weight = (-excess).exp();
+            let bend = (self.pair.nominal_radius + point.height) * point.slope;
+            let aside = bend + 0.5 * (self.pair.running_circle() + lateral);
             sum += weight;
             mean.slope += weight * rail.slope;
+            mean.yaw -= weight * (rail.slope * aside - 0.5 * bend * point.slope);
             mean.wheel_lateral += weight * lateral;
             mean.wheel_height += weight * point.height;
             mean.rail_lateral += weight * y;
@@ -150,12 +193,13 @@ impl Search {
         }
         mean.drop -= SOFTNESS * (sum * SAMPLE_STEP).ln();
         mean.slope /= sum;
+        mean.yaw /= sum;
         mean.wheel_lateral /= sum;
         mean.wheel_height /= sum;
         mean.rail_lateral /= sum;
         width *= SAMPLE_STEP;
         mean.relative_curvature = TAU * SOFTNESS / (width * width);
-        Some(mean)
+        mean
     }
 }
 
@@ -200,7 +244,9 @@ mod tests {
 
     /// Drop and slope come from different sums; the smooth minimum makes one the derivative of the
     /// other, also in the middle of a jump between two contacts. Tolerance 1e-5: the central
-    /// difference over 0.2 um leaves 3e-6 where tread and flange face share the load.
+    /// difference over 0.2 um leaves 3e-6 where tread and flange face share the load. Where there
+    /// are two lobes, the barrier between them moves with the shift; it cuts off weights of at most
+    /// exp(-1) that hardly count by their share, and of exp(-4) once the share is full: 2e-2.
     #[test]
     fn property_search_finds_the_slope_of_its_own_path() {
         let pair = ProfilePair::standard_gauge(
@@ -213,14 +259,18 @@ mod tests {
         let step = 1e-7;
         for i in -100..200 {
             let shift = f64::from(i) * 5e-5;
-            let mut at = |shift| search.shifted(shift).unwrap();
+            let mut at = |shift| search.shifted(shift);
             let (before, here, after) = (at(shift - step), at(shift), at(shift + step));
-            let chord = (after.drop - before.drop) / (2.0 * step);
-            assert!(
-                (here.slope - chord).abs() < 1e-5,
-                "{chord} instead of {} at {shift}",
-                here.slope
-            );
+            let contacts = here.len();
+            for ((before, here), after) in before.iter().zip(&here).zip(&after) {
+                let chord = (after.drop - before.drop) / (2.0 * step);
+                let tolerance = if contacts > 1 { 2e-2 / here.share } else { 1e-5 };
+                assert!(
+                    (here.slope - chord).abs() < tolerance,
+                    "{chord} instead of {} at {shift}",
+                    here.slope
+                );
+            }
         }
     }
 }

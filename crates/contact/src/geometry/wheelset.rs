@@ -7,6 +7,7 @@
 use super::pair::ProfilePair;
 use super::search::{Search, Touch};
 use crate::ContactError;
+use crate::hertz::UnitContact;
 
 /// Largest roll that is searched, in rad.
 const LARGEST_ROLL: f64 = 0.03;
@@ -14,7 +15,7 @@ const LARGEST_ROLL: f64 = 0.03;
 /// Halvings of the roll interval: to 3e-13 rad.
 const HALVINGS: usize = 38;
 
-/// One wheel of a wheelset in contact.
+/// One contact of a wheel of a wheelset.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelContact {
     /// Contact on the rail: distance from its highest point, in m, negative towards the gauge side.
@@ -25,69 +26,86 @@ pub struct WheelContact {
     pub radius_change: f64,
     /// Contact angle against the track plane, in rad, positive as on a tread.
     pub angle: f64,
+    /// How much further down than the first contact of the wheel this one begins to touch, in m.
+    pub gap: f64,
+    /// Contact ellipse and stiffness for 1 N.
+    pub hertz: UnitContact,
 }
 
 /// A wheelset with both wheels in contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct WheelsetGeometry {
     /// Roll in rad, positive with the right side down.
     pub roll: f64,
-    /// The left wheel.
-    pub left: WheelContact,
-    /// The right wheel.
-    pub right: WheelContact,
+    /// Contacts of the left wheel, the first one to touch first.
+    pub left: Vec<WheelContact>,
+    /// Contacts of the right wheel, likewise.
+    pub right: Vec<WheelContact>,
 }
 
 impl WheelsetGeometry {
-    /// Rolling radius of the right wheel less that of the left, in m.
+    /// Rolling radius of the right wheel less that of the left at their first contacts, in m.
     pub fn radius_difference(&self) -> f64 {
-        self.right.radius_change - self.left.radius_change
+        self.right[0].radius_change - self.left[0].radius_change
     }
 }
 
-/// The wheelset displaced by `lateral` metres to the right at the height of its axle, without yaw,
-/// rolled so that both wheels touch.
+/// The wheelset displaced by `lateral` metres to the right at the height of its axle and yawed by
+/// `yaw` rad, rolled so that both wheels touch.
 ///
 /// # Errors
 /// When a dimension of the pair is out of range or a wheel stands beside its rail.
 pub fn wheelset_geometry(
     pair: &ProfilePair,
     lateral: f64,
+    yaw: f64,
 ) -> Result<WheelsetGeometry, ContactError> {
     pair.check()?;
     let mut search = Search::new(pair);
-    let mut both = |roll: f64| -> Result<(Touch, Touch), ContactError> {
-        let missing = || ContactError::NoContact {
-            wheel: pair.wheel.name(),
-            rail: pair.rail.name().into(),
-            shift_mm: 1e3 * lateral,
-        };
-        let left = search.rolled(-lateral, -roll).ok_or_else(missing)?;
-        let right = search.rolled(lateral, roll).ok_or_else(missing)?;
-        Ok((left, right))
+    let mut both = |roll: f64| -> Result<[Vec<Touch>; 2], ContactError> {
+        let both = [search.rolled(-lateral, -roll, yaw), search.rolled(lateral, roll, yaw)];
+        if both.iter().any(Vec::is_empty) {
+            return Err(ContactError::NoContact {
+                wheel: pair.wheel.name(),
+                rail: pair.rail.name(),
+                shift_mm: 1e3 * lateral,
+            });
+        }
+        Ok(both)
     };
     // The right wheel touches higher than the left one as long as the wheelset rolls too far right.
     let (mut low, mut high) = (-LARGEST_ROLL, LARGEST_ROLL);
     for _ in 0..HALVINGS {
         let roll = 0.5 * (low + high);
-        let (left, right) = both(roll)?;
-        if right.drop > left.drop {
+        let [left, right] = both(roll)?;
+        if drop(&right) > drop(&left) {
             low = roll;
         } else {
             high = roll;
         }
     }
     let roll = 0.5 * (low + high);
-    let (left, right) = both(roll)?;
-    Ok(WheelsetGeometry { roll, left: contact(&left), right: contact(&right) })
+    let [left, right] = both(roll)?.map(|touches| contacts(pair, &touches));
+    Ok(WheelsetGeometry { roll, left, right })
 }
 
-/// What is told about one wheel.
-fn contact(touch: &Touch) -> WheelContact {
-    WheelContact {
+/// Where the first contact touches.
+fn drop(touches: &[Touch]) -> f64 {
+    touches.iter().map(|touch| touch.drop).fold(f64::INFINITY, f64::min)
+}
+
+/// What is told about a wheel.
+fn contacts(pair: &ProfilePair, touches: &[Touch]) -> Vec<WheelContact> {
+    let first = drop(touches);
+    let contact = |touch: &Touch| WheelContact {
         rail_lateral: touch.rail_lateral,
         wheel_lateral: touch.wheel_lateral,
         radius_change: touch.wheel_height,
         angle: -touch.slope.atan(),
-    }
+        gap: touch.drop - first,
+        hertz: touch.hertz(pair.nominal_radius),
+    };
+    let mut contacts: Vec<_> = touches.iter().map(contact).collect();
+    contacts.sort_by(|a, b| a.gap.total_cmp(&b.gap));
+    contacts
 }

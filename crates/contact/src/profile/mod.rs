@@ -100,12 +100,13 @@ impl RailProfile {
     }
 
     /// Name of the profile.
-    pub fn name(&self) -> &'static str {
+    pub fn name(&self) -> String {
         match self {
             Self::Rail60E1 => "60E1",
             Self::Uic60Manchester => "UIC60-manchester",
             Self::Round300 => "round-300",
         }
+        .into()
     }
 
     /// The head of this rail, upright.

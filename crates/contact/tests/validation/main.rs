@@ -7,11 +7,14 @@
 //! | `profiles.rs` | EN 13715, EN 13674-1, points of the Manchester benchmark |
 //! | `manchester.rs` | Manchester contact benchmark: a rigid search, and CONTACT |
 //! | `geometry.rs` | the geometry table's own laws |
+//! | `fastsim.rs` | FASTSIM and modified FASTSIM of CONTACT: force and friction power |
 //! | `polach.rs` | published creep curves, CONTACT |
+//! | `shen_hedrick_elkins.rs` | CONTACT; Kalker's linear forces |
 //! | `properties.rs` | creep forces for any slip |
 //!
 //! "reference" below is the project's collection of published figures, `reference/vehicle.md`.
 
+mod fastsim;
 mod geometry;
 mod hertz;
 mod kalker;
@@ -19,6 +22,7 @@ mod manchester;
 mod polach;
 mod profiles;
 mod properties;
+mod shen_hedrick_elkins;
 
 use contact::{ProfilePair, RailProfile, WheelProfile};
 

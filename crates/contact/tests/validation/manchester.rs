@@ -34,7 +34,7 @@ const RIGID: [(f64, f64, Side, Side, f64); 12] = [
     (10.0, -11.351, side(3.20, 22.60), side(39.45, 44.36), 23.28),
 ];
 
-/// The same from CONTACT (2025-07-23), elastic, with the yaw of the benchmark.
+/// The same from CONTACT (2025-07-23), elastic, with the yaw of the benchmark: 2.4 mrad for 1 mm.
 const CONTACT: [(f64, f64, Side, Side); 11] = [
     (0.0, 0.0, side(8.66, 1.8726), side(8.66, -1.8726)),
     (1.0, -0.05049, side(5.2886, 6.2694), side(18.5418, 9.0305)),
@@ -56,16 +56,16 @@ const CONTACT: [(f64, f64, Side, Side); 11] = [
 fn benchmark_manchester_rigid_search() {
     let pair = pair("S1002", "UIC60-manchester");
     for (y, roll, left, right, difference) in &RIGID {
-        let g = wheelset_geometry(&pair, y * MM).unwrap();
+        let g = wheelset_geometry(&pair, y * MM, 0.0).unwrap();
         let case = |what: &str| format!("{what} at {y} mm");
         near(&case("roll in mrad"), g.roll / MM, *roll, 0.12);
         if *y == 0.5 {
             continue;
         }
-        near(&case("left rail"), -g.left.rail_lateral / MM, left.rail, 0.5);
-        near(&case("left wheel"), g.left.wheel_lateral / MM, left.wheel, 0.5);
-        near(&case("right rail"), -g.right.rail_lateral / MM, right.rail, 0.5);
-        near(&case("right wheel"), -g.right.wheel_lateral / MM, right.wheel, 0.5);
+        near(&case("left rail"), -g.left[0].rail_lateral / MM, left.rail, 0.5);
+        near(&case("left wheel"), g.left[0].wheel_lateral / MM, left.wheel, 0.5);
+        near(&case("right rail"), -g.right[0].rail_lateral / MM, right.rail, 0.5);
+        near(&case("right wheel"), -g.right[0].wheel_lateral / MM, right.wheel, 0.5);
         if *y <= 4.0 {
             near(&case("radii"), g.radius_difference() / MM, *difference, 0.05);
         }
@@ -73,18 +73,34 @@ fn benchmark_manchester_rigid_search() {
 }
 
 /// Tolerances as above. The row at 0 is in: the quasi-elastic search follows the elastic contact
-/// where a rigid one is 1.4 mm off.
+/// where a rigid one is 1.4 mm off. Left out is the right wheel at 5 mm: tread and flange root are
+/// 0.01 mm apart in height there, and the first contact is 0.54 mm from where CONTACT has the middle
+/// of its two patches; the rigid search above has that row.
 #[test]
 fn benchmark_manchester_contact_positions() {
     let pair = pair("S1002", "UIC60-manchester");
     for (y, roll, left, right) in &CONTACT {
-        let g = wheelset_geometry(&pair, y * MM).unwrap();
+        let g = wheelset_geometry(&pair, y * MM, 2.4 * y * MM).unwrap();
         let case = |what: &str| format!("{what} at {y} mm");
         near(&case("roll in mrad"), g.roll / MM, *roll, 0.12);
-        near(&case("left rail"), -g.left.rail_lateral / MM, left.rail, 0.5);
-        near(&case("left wheel"), g.left.wheel_lateral / MM, left.wheel, 0.5);
-        near(&case("right rail"), -g.right.rail_lateral / MM, right.rail, 0.5);
-        near(&case("right wheel"), -g.right.wheel_lateral / MM, right.wheel, 0.5);
+        near(&case("left rail"), -g.left[0].rail_lateral / MM, left.rail, 0.5);
+        near(&case("left wheel"), g.left[0].wheel_lateral / MM, left.wheel, 0.5);
+        if *y != 5.0 {
+            near(&case("right rail"), -g.right[0].rail_lateral / MM, right.rail, 0.5);
+            near(&case("right wheel"), -g.right[0].wheel_lateral / MM, right.wheel, 0.5);
+        }
+    }
+}
+
+/// Near 5 mm CONTACT finds two patches on the right wheel, on the tread and on the flange root: so do
+/// we, both within 0.03 mm in height (the approach under 10 kN), and none elsewhere on this wheel.
+#[test]
+fn benchmark_manchester_two_patches() {
+    let pair = pair("S1002", "UIC60-manchester");
+    for y in [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0] {
+        let g = wheelset_geometry(&pair, y * MM, 2.4 * y * MM).unwrap();
+        let near = g.right.iter().filter(|contact| contact.gap < 0.03 * MM).count();
+        assert_eq!(near, if y == 5.0 { 2 } else { 1 }, "at {y} mm: {:?}", g.right);
     }
 }
 
@@ -92,7 +108,7 @@ fn benchmark_manchester_contact_positions() {
 /// that CONTACT prints (0.7553 and -0.2334 mm). Tolerance: the difference of the two.
 #[test]
 fn benchmark_manchester_equivalent_conicity() {
-    let g = wheelset_geometry(&pair("S1002", "UIC60-manchester"), 3.0 * MM).unwrap();
+    let g = wheelset_geometry(&pair("S1002", "UIC60-manchester"), 3.0 * MM, 0.0).unwrap();
     let conicity = g.radius_difference() / (2.0 * 3.0 * MM);
     near("conicity", conicity, 0.168, 0.0032);
 }
@@ -137,12 +153,12 @@ fn property_roll_of_the_profile_matters_little_on_the_tread() {
     let pair = pair("S1002", "60E1");
     let table = GeometryTable::shared(&pair).unwrap();
     for y in [0.0, 1.0, 2.0, 3.0, 4.0, 6.0] {
-        let g = wheelset_geometry(&pair, y * MM).unwrap();
+        let g = wheelset_geometry(&pair, y * MM, 0.0).unwrap();
         let shift = y * MM - pair.nominal_radius * g.roll;
         for (shift, wheel) in [(-shift, g.left), (shift, g.right)] {
             let case = format!("wheel contact at a shift of {:.2} mm, in mm", shift / MM);
             let alone = table.at(shift).wheel_lateral;
-            near(&case, alone / MM, wheel.wheel_lateral / MM, 0.5);
+            near(&case, alone / MM, wheel[0].wheel_lateral / MM, 0.5);
         }
     }
 }

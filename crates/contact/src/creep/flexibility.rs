@@ -1,0 +1,105 @@
+//! Flexibilities of FASTSIM's foundation: reduced at large creep, and made one where all slips.
+//!
+//! **Reduction** (modified FASTSIM). A contaminated contact is softer than Kalker's from the start and
+//! softens further with creep; measured locomotive curves reach their peak at 1 to 3 % for it.
+//!
+//! ```text
+//! k   = k0 (alpha + (1 - alpha)/(1 + beta eps)),   all L become L/k                                (C6)
+//! eps = G pi a b k0 C11 w/(4 mu N),   w² = xi² + eta_s²,   eta_s = eta + phi a if larger, else eta
+//! ```
+//!
+//! Source: Spiryagin, Polach and Cole, Creep force modelling for rail traction vehicles based on the
+//! Fastsim algorithm, VSD 51 (2013) 1765-1783, as coded in CONTACT. k0 = 1, alpha = 1 is FASTSIM.
+//!
+//! **One flexibility at full sliding.** With three of them tractions do not oppose the slip where all
+//! slips. So from a third of the creepage of saturation on they go over into their mean
+//!
+//! ```text
+//! L = (xi² + eta² + (phi f)²)/(xi²/L1 + eta²/L2 + (phi f)²/L3),   f = (pi a²/4)/(8 a/3)            (C7)
+//! share = min(1, (1/3) sqrt((xi² + eta²)/(xi_c² + eta_c²))),  xi_c = mu N/(G a b C11), eta_c likewise
+//! ```
+//!
+//! Source: Vollebregt, Detailed wheel/rail geometry processing with the conformal contact approach, and
+//! the guide of CONTACT (2022).
+
+use super::Creepages;
+use crate::{ContactPatch, STEEL};
+use std::f64::consts::{FRAC_PI_4, PI};
+
+/// Reduction of the stiffness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reduction {
+    /// k0: initial slope of the creep curve by Kalker's, between 0 and 1.
+    pub initial: f64,
+    /// alpha: what is left of it at infinite creepage, between 0 and 1.
+    pub remaining: f64,
+    /// beta: how fast it falls, not negative.
+    pub fall: f64,
+}
+
+impl Reduction {
+    /// No reduction: FASTSIM as Kalker gave it.
+    pub const NONE: Self = Self { initial: 1.0, remaining: 1.0, fall: 0.0 };
+
+    /// Siemens locomotive Eurosprinter 127, as in the examples of CONTACT (k0, alpha, beta).
+    pub const EUROSPRINTER: Self = Self { initial: 0.54, remaining: 0.02, fall: 0.62 };
+
+    /// k of equation C6; `limit` is mu N.
+    #[inline]
+    fn factor(&self, patch: &ContactPatch, creepages: &Creepages, limit: f64) -> f64 {
+        let leading = creepages.lateral + creepages.spin * patch.a;
+        let lateral = leading.abs().max(creepages.lateral.abs());
+        let longitudinal = creepages.longitudinal;
+        let creepage = (longitudinal * longitudinal + lateral * lateral).sqrt();
+        let kalker = STEEL.shear_modulus * PI * patch.a * patch.b * patch.kalker.c11;
+        let eps = 0.25 * self.initial * kalker * creepage / limit;
+        self.initial * (self.remaining + (1.0 - self.remaining) / (1.0 + self.fall * eps))
+    }
+}
+
+/// Stiffness 1/L of the foundation, in Pa/m.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stiffness {
+    /// 1/L1, for longitudinal creepage.
+    pub longitudinal: f64,
+    /// 1/L2, for lateral creepage.
+    pub lateral: f64,
+    /// 1/L3, for spin.
+    pub spin: f64,
+}
+
+impl Stiffness {
+    /// The stiffness with reduction (C6) and the passage to one (C7); `limit` is mu N.
+    #[inline]
+    pub(crate) fn new(
+        reduction: &Reduction,
+        patch: &ContactPatch,
+        creepages: &Creepages,
+        limit: f64,
+    ) -> Self {
+        let (a, b, kalker) = (patch.a, patch.b, &patch.kalker);
+        let modulus = STEEL.shear_modulus * reduction.factor(patch, creepages, limit) / a;
+        let own = Self {
+            longitudinal: 0.375 * modulus * kalker.c11,
+            lateral: 0.375 * modulus * kalker.c22,
+            spin: modulus * kalker.c23 / (FRAC_PI_4 * (a / b).sqrt()),
+        };
+        let square = |value: f64| value * value;
+        let (xi, eta) = (square(creepages.longitudinal), square(creepages.lateral));
+        let spin = square(creepages.spin * a * (FRAC_PI_4 * 0.375));
+        let sum = xi + eta + spin;
+        if sum == 0.0 {
+            return own;
+        }
+        let critical = limit / (STEEL.shear_modulus * a * b);
+        let critical = square(critical / kalker.c11) + square(critical / kalker.c22);
+        let share = (((xi + eta) / critical).sqrt() / 3.0).min(1.0);
+        let one = sum / (xi * own.longitudinal + eta * own.lateral + spin * own.spin);
+        let mixed = |stiffness: f64| 1.0 / ((1.0 - share) / stiffness + share * one);
+        Self {
+            longitudinal: mixed(own.longitudinal),
+            lateral: mixed(own.lateral),
+            spin: mixed(own.spin),
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! What a wheel does to its rail, and feels, at the end of a step.
+
+use contact::Creepages;
+
+use crate::patch::Patch;
+use crate::six::{Six, dot};
+use crate::wheel::{PATCHES, Standing, Wheel};
+
+/// Friction power that a contact has at least for its weight in a wheel's means, W for each N of
+/// normal force: far below any that heats, so that it counts only where nothing slips.
+const LEAST_POWER: f64 = 1e-9;
+
+/// One contact at the end of a step; all zero without contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PatchOutput {
+    /// Creepages; longitudinal positive in traction, lateral and spin of the wheel on the rail.
+    pub creepages: Creepages,
+    /// Creep force on the wheel along the track, N, positive when it drives the vehicle forward.
+    pub longitudinal: f64,
+    /// Creep force on the wheel across, in the contact plane, N, positive to the right.
+    pub lateral: f64,
+    /// Normal force, N.
+    pub normal: f64,
+    /// Power turned into heat, W.
+    pub friction_power: f64,
+    /// Semi-axis of the contact in the rolling direction, m.
+    pub a: f64,
+    /// Semi-axis across, m.
+    pub b: f64,
+    /// Place on the rail head, m from its top, negative towards the gauge side.
+    pub rail_lateral: f64,
+    /// Contact angle, rad, positive as on a tread.
+    pub angle: f64,
+}
+
+/// A wheel with all its contacts at the end of a step.
+///
+/// Forces and power are sums over the contacts; creepages, semi-axes and place are means weighted by
+/// the friction power, as they say where the heat arises.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WheelOutput {
+    /// Creepages; longitudinal positive in traction, lateral and spin of the wheel on the rail.
+    pub creepages: Creepages,
+    /// Creep force on the wheel along the track, N, positive when it drives the vehicle forward.
+    pub longitudinal: f64,
+    /// Creep force on the wheel across, in the contact planes, N, positive to the right.
+    pub lateral: f64,
+    /// Normal force, N.
+    pub normal: f64,
+    /// Lateral force on the wheel in the plane of the rails, N, positive to the right.
+    pub guiding: f64,
+    /// Force of the rail on the wheel upwards, square to the plane of the rails, N.
+    pub vertical: f64,
+    /// Power turned into heat, W.
+    pub friction_power: f64,
+    /// Semi-axis of the contact in the rolling direction, m.
+    pub a: f64,
+    /// Semi-axis across, m.
+    pub b: f64,
+    /// Place on the rail head, m from its top, negative towards the gauge side.
+    pub rail_lateral: f64,
+    /// Elastic energy of the contacts, J.
+    pub elastic_energy: f64,
+    /// How the wheel stands on its rail.
+    pub standing: Standing,
+    /// The contacts by their number in the geometry table: tread first, then towards the flange.
+    pub patches: [PatchOutput; PATCHES],
+}
+
+/// How a wheelset moves in a step.
+pub struct Motion {
+    /// Change of its six velocities.
+    pub change: Six,
+    /// Velocities at the end, against the track's frame.
+    pub after: Six,
+    /// Speed of travel at the end, m/s.
+    pub speed: f64,
+}
+
+impl Motion {
+    /// Velocities in the middle of the step, against the track's frame.
+    pub fn middle(&self) -> Six {
+        std::array::from_fn(|i| self.after[i] - 0.5 * self.change[i])
+    }
+}
+
+/// Forces of a contact at the end of a step, N.
+struct EndForces {
+    longitudinal: f64,
+    lateral: f64,
+    normal: f64,
+    /// Moment about the normal, N m.
+    spin: f64,
+}
+
+impl EndForces {
+    fn new(patch: &Patch, change: &Six) -> Self {
+        let (forces, creep) = (&patch.forces, &patch.forces.creep);
+        Self {
+            longitudinal: creep.longitudinal - creep.damping * dot(&patch.longitudinal, change),
+            lateral: creep.lateral - creep.damping * dot(&patch.lateral, change),
+            normal: forces.normal + forces.normal_damping * dot(&patch.normal, change),
+            spin: creep.spin_moment,
+        }
+    }
+
+    /// Power that creep takes from the wheelset at these velocities, W.
+    fn heat(&self, patch: &Patch, velocities: &Six) -> f64 {
+        let slip = patch.slip(velocities);
+        -self.longitudinal * slip.longitudinal - self.lateral * slip.lateral - self.spin * slip.spin
+    }
+}
+
+/// Heat that arises in a step's contacts, W: by creep, and by damping along the normals.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Heat {
+    /// By creep.
+    pub friction: f64,
+    /// By damping.
+    pub damping: f64,
+}
+
+impl WheelOutput {
+    /// The wheel at the end of a step, and the heat by the velocities in its middle.
+    pub fn new(wheel: &Wheel, motion: &Motion) -> (Self, Heat) {
+        let middle = motion.middle();
+        let (mut output, mut heat) = (Self::default(), Heat::default());
+        let mut weights = 0.0;
+        for patch in wheel.patches().iter().filter(|patch| patch.forces.normal > 0.0) {
+            let end = EndForces::new(patch, &motion.change);
+            heat.friction += end.heat(patch, &middle);
+            heat.damping += (end.normal - patch.elastic_force) * dot(&patch.normal, &middle);
+            let shown = patch_output(patch, &end, motion);
+            let weight = shown.friction_power.max(0.0) + LEAST_POWER * shown.normal;
+            output.add(&shown, weight);
+            weights += weight;
+            output.guiding += patch.across(end.lateral, end.normal);
+            output.vertical += patch.upwards(end.lateral, end.normal);
+            output.patches[patch.number] = shown;
+        }
+        let elastic = wheel.patches().iter().map(Patch::elastic_energy);
+        output.elastic_energy = elastic.sum();
+        output.standing = wheel.standing();
+        if weights > 0.0 {
+            output.divide(weights);
+        } else {
+            output.rail_lateral = wheel.nearest().rail_lateral();
+        }
+        (output, heat)
+    }
+
+    /// Adds a contact, with `weight` in the means.
+    fn add(&mut self, patch: &PatchOutput, weight: f64) {
+        self.longitudinal += patch.longitudinal;
+        self.lateral += patch.lateral;
+        self.normal += patch.normal;
+        self.friction_power += patch.friction_power;
+        self.creepages.longitudinal += weight * patch.creepages.longitudinal;
+        self.creepages.lateral += weight * patch.creepages.lateral;
+        self.creepages.spin += weight * patch.creepages.spin;
+        self.a += weight * patch.a;
+        self.b += weight * patch.b;
+        self.rail_lateral += weight * patch.rail_lateral;
+    }
+
+    /// Makes means of the weighted sums.
+    fn divide(&mut self, weights: f64) {
+        let share = 1.0 / weights;
+        self.creepages.longitudinal *= share;
+        self.creepages.lateral *= share;
+        self.creepages.spin *= share;
+        self.a *= share;
+        self.b *= share;
+        self.rail_lateral *= share;
+    }
+}
+
+fn patch_output(patch: &Patch, end: &EndForces, motion: &Motion) -> PatchOutput {
+    let mut creepages = patch.slip(&motion.after).creepages(motion.speed);
+    creepages.longitudinal = -creepages.longitudinal;
+    PatchOutput {
+        creepages,
+        longitudinal: end.longitudinal,
+        lateral: end.lateral,
+        normal: end.normal,
+        friction_power: end.heat(patch, &motion.after),
+        a: patch.forces.a,
+        b: patch.forces.b,
+        rail_lateral: patch.rail_lateral(),
+        angle: patch.angle(),
+    }
+}
