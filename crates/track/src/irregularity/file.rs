@@ -166,7 +166,7 @@ impl ShapeSection {
         if !(0.01..=1e5).contains(&self.length_m) {
             return Err(error(file, &key("length_m"), self.length_m, "must be at least 0.01 m"));
         }
-        if !(self.amplitude_mm.abs() <= GREATEST) {
+        if !(-GREATEST..=GREATEST).contains(&self.amplitude_mm) {
             let wanted = "must lie between -200 and 200 mm";
             return Err(error(file, &key("amplitude_mm"), self.amplitude_mm, wanted));
         }
