@@ -1,11 +1,14 @@
-//! Compiles the C shim of the FMI logger, since Rust cannot define a variadic function, and
-//! notes the commit that the program is built from.
+//! Compiles the C shims of the FMI logger, since Rust cannot define a variadic function, and of
+//! the handler of crashes, and notes the commit that the program is built from.
 
 use std::process::Command;
 
 fn main() {
-    println!("cargo::rerun-if-changed=src/fmi/logger.c");
-    cc::Build::new().file("src/fmi/logger.c").warnings_into_errors(true).compile("fmi_logger");
+    let shims = ["src/fmi/logger.c", "src/fmi/crash.c"];
+    for shim in shims {
+        println!("cargo::rerun-if-changed={shim}");
+    }
+    cc::Build::new().files(shims).warnings_into_errors(true).compile("fmi_shims");
 
     println!("cargo::rerun-if-changed=../.git/HEAD");
     let git = Command::new("git").args(["describe", "--always", "--dirty"]).output();

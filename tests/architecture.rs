@@ -25,7 +25,7 @@ fn source_files(folder: &Path, found: &mut Vec<std::path::PathBuf>) {
     }
 }
 
-const PHYSICS: [&str; 7] = [
+const PHYSICS: [&str; 9] = [
     "crates/numerics",
     "crates/track",
     "crates/contact",
@@ -33,6 +33,8 @@ const PHYSICS: [&str; 7] = [
     "fmus/vehicle",
     "fmus/longitudinal",
     "fmus/railheat",
+    "fmus/synchronisation",
+    "crates/controller",
 ];
 
 #[test]
@@ -49,8 +51,16 @@ fn physics_does_not_know_the_master_nor_its_tools() {
 #[test]
 fn the_master_knows_no_model() {
     let dependencies = dependencies("master");
-    for model in ["vehicle", "longitudinal", "railheat", "contact", "stock", "fmu", "hotfoot-tools"]
-    {
+    for model in [
+        "vehicle",
+        "longitudinal",
+        "railheat",
+        "synchronisation",
+        "contact",
+        "stock",
+        "fmu",
+        "hotfoot-tools",
+    ] {
         assert!(!dependencies.contains(model), "the master depends on {model}");
     }
 }

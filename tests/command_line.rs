@@ -100,3 +100,70 @@ fn a_vehicle_type_that_is_not_in_stock_is_named() {
     scenario.text = scenario.text.replace("wagon-coco-134t-unpowered", "wagon-of-gold");
     assert_says(&refusal(&scenario.run(&[])), &["wagon-of-gold"]);
 }
+
+#[test]
+fn a_corrupt_package_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("bad.ssp"), "no archive").unwrap();
+    let message = refusal(&hotfoot(folder.path(), &["run", "bad.ssp", "--results", "r"]));
+    assert_says(&message, &["bad.ssp"]);
+}
+
+#[test]
+fn a_step_of_zero_for_a_package_is_answered() {
+    let scenario = SmallScenario::new(1.0);
+    let exported = scenario.hotfoot(&["export-ssp", "scenario.toml", "-o", "train.ssp"]);
+    assert!(exported.status.success(), "{}", String::from_utf8_lossy(&exported.stderr));
+    let output = String::from_utf8_lossy(&exported.stdout).into_owned();
+    assert_says(&output, &["12 components", "the scenario's scheme is sequential"]);
+    let run = ["run", "train.ssp", "--results", "r", "--step", "0"];
+    assert_says(&refusal(&scenario.hotfoot(&run)), &["--step 0", "greater than zero"]);
+}
+
+/// The small scenario with one more line in its table of heat.
+fn with_heat(line: &str) -> SmallScenario {
+    let mut scenario = SmallScenario::new(1.0);
+    scenario.text = scenario.text.replace("[heat]\n", &format!("[heat]\n{line}\n"));
+    scenario
+}
+
+#[test]
+fn a_parameter_of_the_wrong_type_is_answered_with_the_right_one() {
+    let scenario = with_heat("parameters = { \"train.shade\" = 0.5 }");
+    let message = refusal(&scenario.run(&[]));
+    assert_says(
+        &message,
+        &["heat.parameters", "\"train.shade\" = 0.5", "a Boolean: true or false"],
+    );
+}
+
+#[test]
+fn a_parameter_that_the_rail_has_not_is_named() {
+    let scenario = with_heat("parameters = { \"section.raill\" = \"60E1\" }");
+    let message = refusal(&scenario.run(&[]));
+    assert_says(&message, &["\"section.raill\" = \"60E1\"", "has no such variable", "rail.fmu"]);
+}
+
+#[test]
+fn an_output_is_no_parameter() {
+    let scenario = with_heat("parameters = { \"energy.stored\" = 1.0 }");
+    assert_says(&refusal(&scenario.run(&[])), &["energy.stored", "it is no parameter but output"]);
+}
+
+#[test]
+fn trains_that_overlap_are_refused_with_the_shortest_headway() {
+    let scenario = with_heat("trains = { count = 2, headway_minutes = 0.01 }");
+    let message = refusal(&scenario.run(&[]));
+    assert_says(&message, &["heat.trains.headway_minutes", "0.01 min", "duration_s = 1 s"]);
+}
+
+#[test]
+fn a_wrong_line_of_a_weather_file_is_answered_with_the_users_file() {
+    let scenario = with_heat("model = \"energy\"\nparameters = { weather_file = \"weather.csv\" }");
+    let file = scenario.folder.path().join("weather.csv");
+    std::fs::write(&file, "time_s,air\n0,300\n").unwrap();
+    let message = refusal(&scenario.run(&[]));
+    // The message is wrapped at spaces only, so the path stays whole.
+    assert_says(&message, &["weather.csv, line 1: must be time_s,air_degC"]);
+    assert!(!message.contains("resources"), "the copy is not named: {message}");
+}

@@ -1,13 +1,13 @@
 //! Every shipped scenario runs: its first half second, so that the whole of it fits into the test run.
 
+use std::path::PathBuf;
+
 use hotfoot_tests::{hotfoot, root};
 
 #[test]
 fn every_shipped_scenario_starts_and_runs() {
-    let folders = std::fs::read_dir(root().join("scenarios")).unwrap();
-    let scenarios = folders.flatten().map(|entry| entry.path().join("scenario.toml"));
     let mut count = 0;
-    for scenario in scenarios.filter(|file| file.exists()) {
+    for scenario in shipped() {
         let folder = tempfile::tempdir().unwrap();
         let results = folder.path().join("results");
         let arguments = [
@@ -25,5 +25,18 @@ fn every_shipped_scenario_starts_and_runs() {
         assert!(results.join("report.html").exists(), "{}", scenario.display());
         count += 1;
     }
-    assert!(count >= 5, "only {count} scenarios were found");
+    assert!(count >= 13, "only {count} scenarios were found");
+}
+
+/// The files `scenario.toml` of all folders, and every file with a title in `foot-study`.
+fn shipped() -> Vec<PathBuf> {
+    let files = |folder: PathBuf| std::fs::read_dir(folder).unwrap().flatten().map(|e| e.path());
+    let folders = ["scenarios", "scenarios/benchmarks"].map(|folder| files(root().join(folder)));
+    let of_folders = folders.into_iter().flatten().map(|folder| folder.join("scenario.toml"));
+    let has_title = |file: &PathBuf| {
+        std::fs::read_to_string(file)
+            .is_ok_and(|text| text.lines().any(|l| l.starts_with("title =")))
+    };
+    let of_study = files(root().join("scenarios/foot-study")).filter(has_title);
+    of_folders.filter(|file| file.exists()).chain(of_study).collect()
 }

@@ -4,13 +4,20 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 
+use zip::CompressionMethod;
 use zip::write::SimpleFileOptions;
 
-/// Largest total size that an FMU may unpack to, bytes.
-const MAX_UNPACKED: u64 = 2 << 30;
+/// How much may come out of an archive.
+#[derive(Debug, Clone, Copy)]
+struct Limits {
+    /// Total size, bytes.
+    bytes: u64,
+    /// Number of files.
+    files: usize,
+}
 
-/// Largest number of files in an FMU.
-const MAX_FILES: usize = 100_000;
+/// The limits for an FMU.
+const LIMITS: Limits = Limits { bytes: 2 << 30, files: 100_000 };
 
 /// Why an archive cannot be unpacked or packed.
 #[derive(Debug, thiserror::Error)]
@@ -42,10 +49,12 @@ pub enum ArchiveError {
         reason: &'static str,
     },
     /// Too large.
-    #[error("{path} unpacks to more than {} MiB or {MAX_FILES} files; the FMU is refused", MAX_UNPACKED >> 20)]
+    #[error("{path} unpacks to {what}; the FMU is refused")]
     TooLarge {
         /// Archive.
         path: String,
+        /// How much of what comes out of it, and how much may.
+        what: String,
     },
 }
 
@@ -58,14 +67,24 @@ fn io_error(path: &Path) -> impl FnOnce(io::Error) -> ArchiveError + '_ {
 /// # Errors
 /// When the archive cannot be read, is damaged, unsafe or too large.
 pub fn unpack(archive: &Path, target: &Path) -> Result<(), ArchiveError> {
+    unpack_within(LIMITS, archive, target)
+}
+
+fn unpack_within(limits: Limits, archive: &Path, target: &Path) -> Result<(), ArchiveError> {
     let path = || archive.display().to_string();
     let damaged = |source| ArchiveError::Damaged { path: path(), source };
     let file = fs::File::open(archive).map_err(io_error(archive))?;
     let mut zip = zip::ZipArchive::new(file).map_err(damaged)?;
-    if zip.len() > MAX_FILES {
-        return Err(ArchiveError::TooLarge { path: path() });
+    let too_large = |what| ArchiveError::TooLarge { path: path(), what };
+    if zip.len() > limits.files {
+        return Err(too_large(format!("{} files (at most {})", zip.len(), limits.files)));
     }
-    let mut left = MAX_UNPACKED;
+    let too_many_bytes = || too_large(format!("more than {} bytes", limits.bytes));
+    // What the archive says of itself, before anything is written.
+    if zip.decompressed_size().is_some_and(|size| size > u128::from(limits.bytes)) {
+        return Err(too_many_bytes());
+    }
+    let mut left = limits.bytes;
     for i in 0..zip.len() {
         let mut entry = zip.by_index(i).map_err(damaged)?;
         let name = entry.name().map_err(damaged)?.into_owned();
@@ -86,9 +105,30 @@ pub fn unpack(archive: &Path, target: &Path) -> Result<(), ArchiveError> {
         // The stated size may lie, so what is unpacked is counted.
         let written = io::copy(&mut entry.by_ref().take(left + 1), &mut out)
             .map_err(io_error(&destination))?;
-        left = left.checked_sub(written).ok_or_else(|| ArchiveError::TooLarge { path: path() })?;
+        left = left.checked_sub(written).ok_or_else(too_many_bytes)?;
     }
     Ok(())
+}
+
+/// The entries of an archive that are packed in another way than stored or deflated, which is all
+/// that FMI 2.0 allows (§2.3), and the ways.
+///
+/// # Errors
+/// When the archive cannot be read or is damaged.
+pub fn uncommon_entries(archive: &Path) -> Result<Vec<(String, String)>, ArchiveError> {
+    let damaged = |source| ArchiveError::Damaged { path: archive.display().to_string(), source };
+    let file = fs::File::open(archive).map_err(io_error(archive))?;
+    let mut zip = zip::ZipArchive::new(file).map_err(damaged)?;
+    let mut uncommon = vec![];
+    for i in 0..zip.len() {
+        let entry = zip.by_index_raw(i).map_err(damaged)?;
+        let method = entry.compression();
+        if !matches!(method, CompressionMethod::Stored | CompressionMethod::Deflated) {
+            let name = entry.name().map_err(damaged)?.into_owned();
+            uncommon.push((name, format!("{method:?}")));
+        }
+    }
+    Ok(uncommon)
 }
 
 /// The entry's path if it stays inside of the folder it is unpacked to.
@@ -114,7 +154,7 @@ pub fn pack(folder: &Path, archive: &Path) -> Result<(), ArchiveError> {
     let out = fs::File::create(archive).map_err(io_error(archive))?;
     let mut zip = zip::ZipWriter::new(out);
     let options = SimpleFileOptions::default()
-        .compression_method(zip::CompressionMethod::Deflated)
+        .compression_method(CompressionMethod::Deflated)
         .last_modified_time(zip::DateTime::default());
     for file in files {
         let name = file.strip_prefix(folder).unwrap_or(&file).to_string_lossy().replace('\\', "/");
@@ -187,6 +227,53 @@ mod tests {
         zip.finish().unwrap();
         let error = unpack(&path, &folder.path().join("target")).unwrap_err();
         assert!(error.to_string().contains("symbolic link"), "{error}");
+    }
+
+    const SMALL: Limits = Limits { bytes: 6, files: 1 };
+
+    #[test]
+    fn an_archive_that_says_it_is_too_large_is_refused_before_anything_is_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = archive_with("x", SimpleFileOptions::default(), folder.path());
+        let target = folder.path().join("target");
+        let error = unpack_within(SMALL, &path, &target).unwrap_err().to_string();
+        assert!(error.contains("unpacks to more than 6 bytes"), "{error}");
+        assert!(!target.exists());
+        unpack_within(Limits { bytes: 7, ..SMALL }, &path, &target).unwrap();
+    }
+
+    /// The size in the directory of the archive is changed from 7 to 1.
+    #[test]
+    fn an_archive_that_lies_about_its_size_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
+        let path = archive_with("x", stored, folder.path());
+        let mut bytes = fs::read(&path).unwrap();
+        let directory = bytes.windows(4).position(|mark| mark == b"PK\x01\x02").unwrap();
+        // Local header: size at 22; directory: size at 24.
+        for place in [22, directory + 24] {
+            assert_eq!(bytes[place], 7);
+            bytes[place] = 1;
+        }
+        fs::write(&path, bytes).unwrap();
+        let error = unpack_within(SMALL, &path, &folder.path().join("target")).unwrap_err();
+        assert!(
+            matches!(error, ArchiveError::TooLarge { .. } | ArchiveError::Io { .. }),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn an_archive_with_too_many_files_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("many.fmu");
+        let mut zip = zip::ZipWriter::new(fs::File::create(&path).unwrap());
+        for name in ["a", "b"] {
+            zip.start_file(name, SimpleFileOptions::default()).unwrap();
+        }
+        zip.finish().unwrap();
+        let error = unpack_within(SMALL, &path, &folder.path().join("target")).unwrap_err();
+        assert!(error.to_string().contains("2 files (at most 1)"), "{error}");
     }
 
     #[test]

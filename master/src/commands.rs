@@ -7,16 +7,15 @@ use std::process::Command;
 use clap::Args;
 use miette::{IntoDiagnostic, Result, miette};
 
-use crate::fmi::Import;
 use crate::pack::{self, Binary};
-use crate::roles::{self, Role};
 use crate::run::{self, Options};
-use crate::{archive, report, scenario};
+use crate::ssp::{self, SystemOptions};
+use crate::{archive, expected, recording, reference, report, scenario, supervise};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
 pub struct RunArguments {
-    /// Scenario: its folder or file
+    /// Scenario: its folder or file; or an SSP package of any FMUs
     scenario: PathBuf,
     /// Threads for the vehicles; left out: all cores
     #[arg(long)]
@@ -30,9 +29,28 @@ pub struct RunArguments {
     /// Simulated time in place of the scenario's, s
     #[arg(long)]
     duration: Option<f64>,
+    /// Of an SSP package: step of the exchange in place of the package's, s
+    #[arg(long)]
+    step: Option<f64>,
+    /// Of an SSP package: time between two records, s; left out: 0.1
+    #[arg(long)]
+    interval: Option<f64>,
     /// Show no progress
     #[arg(long)]
     quiet: bool,
+}
+
+/// Arguments of `hotfoot export-ssp`.
+#[derive(Args)]
+pub struct ExportArguments {
+    /// Scenario: its folder or file
+    scenario: PathBuf,
+    /// Package to write; left out: named as the scenario's folder, in the current folder
+    #[arg(long, short)]
+    output: Option<PathBuf>,
+    /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
+    #[arg(long)]
+    fmus: Option<PathBuf>,
 }
 
 /// Arguments of `hotfoot pack`.
@@ -40,12 +58,18 @@ pub struct RunArguments {
 pub struct PackArguments {
     /// Shared library, or an FMU that was packed before
     binary: PathBuf,
-    /// Folder with the resources
+    /// Folder with the resources, where the model needs any
     #[arg(long)]
-    resources: PathBuf,
+    resources: Option<PathBuf>,
     /// Rolling-stock library that is put into the resources as `stock`
     #[arg(long)]
     stock: Option<PathBuf>,
+    /// Folder with the experiment whose result the FMU shall carry as a self-test
+    #[arg(long)]
+    reference: Option<PathBuf>,
+    /// Text in Markdown with the equations, for the documentation
+    #[arg(long)]
+    theory: Option<PathBuf>,
     /// FMU to write
     #[arg(long, short)]
     output: PathBuf,
@@ -58,11 +82,37 @@ pub struct ToolArguments {
     arguments: Vec<OsString>,
 }
 
-/// Runs a scenario, tells where the results are, and the main figures.
+/// Runs a scenario in a child process, tells where the results are, and the main figures.
 ///
 /// # Errors
-/// When the scenario is wrong or a unit fails.
+/// When the scenario is wrong, a unit fails or crashes.
 pub fn run(arguments: &RunArguments) -> Result<()> {
+    if supervise::is_child() {
+        return run_here(arguments);
+    }
+    let results =
+        arguments.results.clone().unwrap_or_else(|| run::new_results(&arguments.scenario));
+    let further = match arguments.results {
+        Some(_) => vec![],
+        None => vec!["--results".into(), results.clone().into_os_string()],
+    };
+    supervise::in_child(&further, || {
+        let series = results.join("series");
+        if !series.exists() {
+            return Err(miette!("an FMU has crashed the run before anything was recorded"));
+        }
+        recording::complete(&series).into_diagnostic()?;
+        Err(miette!(
+            "an FMU has crashed the run; the results until then are in {}",
+            results.display()
+        ))
+    })
+}
+
+fn run_here(arguments: &RunArguments) -> Result<()> {
+    if arguments.scenario.extension().is_some_and(|extension| extension == "ssp") {
+        return run_system(arguments);
+    }
     let options = Options {
         threads: arguments.threads,
         results: arguments.results.clone(),
@@ -72,6 +122,40 @@ pub fn run(arguments: &RunArguments) -> Result<()> {
     };
     let finished = run::run(&arguments.scenario, &options)?;
     println!("{finished}");
+    Ok(())
+}
+
+fn run_system(arguments: &RunArguments) -> Result<()> {
+    let options = SystemOptions {
+        threads: arguments.threads,
+        results: arguments.results.clone(),
+        duration: arguments.duration,
+        step: arguments.step,
+        interval: arguments.interval,
+        quiet: arguments.quiet,
+    };
+    println!("{}", ssp::run(&arguments.scenario, &options)?);
+    Ok(())
+}
+
+/// Writes a scenario's train as an SSP package, and tells what is in it.
+///
+/// # Errors
+/// When the scenario is wrong, a unit fails, or the package cannot be written.
+pub fn export_ssp(arguments: &ExportArguments) -> Result<()> {
+    let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
+    let name = || run::scenario_name(&arguments.scenario);
+    let target = arguments.output.clone().unwrap_or_else(|| format!("{}.ssp", name()).into());
+    let exported = ssp::export(&arguments.scenario, &fmus, &target)?;
+    println!(
+        "{}: {} components, {} connections",
+        target.display(),
+        exported.components,
+        exported.connections
+    );
+    for difference in exported.differences {
+        println!("note: {difference}");
+    }
     Ok(())
 }
 
@@ -92,22 +176,17 @@ pub fn report(results: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Says whether an FMU can fill a role.
+/// Says how the figures of a run compare with those expected of its scenario.
 ///
 /// # Errors
-/// When the FMU cannot be read, or lacks something.
-pub fn check(fmu: &Path, role: Role) -> Result<()> {
-    let import = Import::open(fmu).into_diagnostic()?;
-    let problems = roles::missing(import.interface(), role);
-    if !problems.is_empty() {
-        return Err(miette!(
-            "{} cannot be used as {role:?}:\n{}",
-            fmu.display(),
-            problems.join("\n")
-        ));
+/// When a file cannot be read, or a figure differs.
+pub fn expect(results: &Path, expected: &Path) -> Result<()> {
+    let comparisons = expected::compare(results, expected).into_diagnostic()?;
+    comparisons.iter().for_each(|comparison| println!("{comparison}"));
+    match comparisons.iter().filter(|comparison| !comparison.agrees()).count() {
+        0 => Ok(()),
+        count => Err(miette!("{count} of {} figures differ", comparisons.len())),
     }
-    println!("{} can be used as {role:?}", fmu.display());
-    Ok(())
 }
 
 /// Packs an FMU.
@@ -116,7 +195,9 @@ pub fn check(fmu: &Path, role: Role) -> Result<()> {
 /// When files are missing, or the model refuses the resources.
 pub fn pack(arguments: &PackArguments) -> Result<()> {
     let folder = tempfile::tempdir().into_diagnostic()?;
-    pack::copy_folder(&arguments.resources, folder.path()).into_diagnostic()?;
+    if let Some(resources) = &arguments.resources {
+        pack::copy_folder(resources, folder.path()).into_diagnostic()?;
+    }
     if let Some(stock) = &arguments.stock {
         pack::copy_folder(stock, &folder.path().join("stock")).into_diagnostic()?;
     }
@@ -125,7 +206,14 @@ pub fn pack(arguments: &PackArguments) -> Result<()> {
         true => Binary::Fmu(&arguments.binary),
         false => Binary::Library(&arguments.binary),
     };
-    pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()
+    pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()?;
+    if let Some(theory) = &arguments.theory {
+        pack::add_equations(&arguments.output, theory).into_diagnostic()?;
+    }
+    match &arguments.reference {
+        Some(reference) => reference::pack(&arguments.output, reference).into_diagnostic(),
+        None => Ok(()),
+    }
 }
 
 /// Lists the variables of an FMU, or prints its model description.

@@ -4,6 +4,8 @@ use std::collections::HashMap;
 
 use serde::Deserialize;
 
+use crate::si::{Dimension, Linear, SiUnit};
+
 /// Type of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum VariableType {
@@ -30,6 +32,10 @@ pub struct Variable {
     pub causality: String,
     /// Unit of a Real, where stated.
     pub unit: Option<String>,
+    /// What that unit is in SI base units, where the model description traces it to them.
+    pub si: Option<SiUnit>,
+    /// Start value as it is written, where one is stated.
+    pub start: Option<String>,
     /// Description, empty where none is stated.
     pub description: String,
 }
@@ -45,7 +51,12 @@ pub struct Interface {
     pub guid: String,
     /// Whether only one instance may live in a process.
     pub once_per_process: bool,
+    /// Whether the FMU can save its state and be set back to it.
+    pub can_get_and_set_state: bool,
+    /// Whether steps may differ in length.
+    pub variable_step: bool,
     variables: HashMap<String, Variable>,
+    units: HashMap<String, SiUnit>,
 }
 
 /// Why a model description cannot be used.
@@ -73,12 +84,17 @@ impl Interface {
             return Err(InterfaceError::Version(root.fmi_version));
         }
         let slave = root.co_simulation.ok_or(InterfaceError::NoCoSimulation)?;
+        let units = Units::of(root.unit_definitions, root.type_definitions);
+        let variables = root.model_variables.variables.into_iter();
         Ok(Self {
             identifier: slave.model_identifier,
             model_name: root.model_name,
             guid: root.guid,
             once_per_process: slave.once_per_process,
-            variables: root.model_variables.variables.into_iter().filter_map(variable).collect(),
+            can_get_and_set_state: slave.can_get_and_set_state,
+            variable_step: slave.variable_step,
+            variables: variables.filter_map(|scalar| variable(scalar, &units)).collect(),
+            units: units.units,
         })
     }
 
@@ -91,6 +107,11 @@ impl Interface {
     /// The variable of that name.
     pub fn variable(&self, name: &str) -> Option<&Variable> {
         self.variables.get(name)
+    }
+
+    /// What a unit of measurement is in SI base units, if the model description says so.
+    pub fn unit(&self, name: &str) -> Option<SiUnit> {
+        self.units.get(name).copied()
     }
 
     /// All variables in the order of causality and value reference.
@@ -129,16 +150,46 @@ impl Interface {
     }
 }
 
-fn variable(scalar: xml::ScalarVariable) -> Option<(String, Variable)> {
-    let (kind, unit) = if let Some(real) = scalar.real {
-        (VariableType::Real, real.unit)
-    } else if scalar.integer.is_some() || scalar.enumeration.is_some() {
-        (VariableType::Integer, None)
-    } else if scalar.boolean.is_some() {
-        (VariableType::Boolean, None)
+/// The units that a model description defines, and the declared types that have one.
+struct Units {
+    units: HashMap<String, SiUnit>,
+    of_type: HashMap<String, xml::Real>,
+}
+
+impl Units {
+    fn of(units: Option<xml::UnitDefinitions>, types: Option<xml::TypeDefinitions>) -> Self {
+        let units = units.map(|list| list.units).unwrap_or_default().into_iter();
+        let types = types.map(|list| list.types).unwrap_or_default().into_iter();
+        Self {
+            units: units.filter_map(|unit| Some((unit.name, unit.base?.si()?))).collect(),
+            of_type: types.filter_map(|simple| Some((simple.name, simple.real?))).collect(),
+        }
+    }
+
+    /// Unit of a Real variable, from itself or its declared type, and what it is in SI.
+    fn of_real(&self, real: xml::Real) -> (Option<String>, Option<SiUnit>) {
+        let declared = real.declared_type.as_ref().and_then(|name| self.of_type.get(name));
+        let unit = real.unit.or_else(|| declared?.unit.clone());
+        let relative = real.relative || declared.is_some_and(|declared| declared.relative);
+        let mut si = unit.as_ref().and_then(|name| self.units.get(name).copied());
+        if let (Some(si), true) = (&mut si, relative) {
+            // A difference of two values knows no offset (§2.2.2).
+            si.to_base.offset = 0.0;
+        }
+        (unit, si)
+    }
+}
+
+fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Variable)> {
+    let ((unit, si), kind, start) = if let Some(mut real) = scalar.real {
+        let start = real.start.take();
+        (units.of_real(real), VariableType::Real, start)
+    } else if let Some(integer) = scalar.integer.or(scalar.enumeration) {
+        ((None, None), VariableType::Integer, integer.start)
+    } else if let Some(boolean) = scalar.boolean {
+        ((None, None), VariableType::Boolean, boolean.start)
     } else {
-        scalar.text.as_ref()?;
-        (VariableType::Text, None)
+        ((None, None), VariableType::Text, scalar.text?.start)
     };
     let variable = Variable {
         name: scalar.name.clone(),
@@ -146,6 +197,8 @@ fn variable(scalar: xml::ScalarVariable) -> Option<(String, Variable)> {
         kind,
         causality: scalar.causality,
         unit,
+        si,
+        start,
         description: scalar.description,
     };
     Some((scalar.name, variable))
@@ -153,7 +206,7 @@ fn variable(scalar: xml::ScalarVariable) -> Option<(String, Variable)> {
 
 /// The elements and attributes that are read.
 mod xml {
-    use super::Deserialize;
+    use super::{Deserialize, Dimension, Linear, SiUnit};
 
     #[derive(Deserialize)]
     pub struct ModelDescription {
@@ -165,8 +218,81 @@ mod xml {
         pub guid: String,
         #[serde(rename = "CoSimulation")]
         pub co_simulation: Option<CoSimulation>,
+        #[serde(rename = "UnitDefinitions")]
+        pub unit_definitions: Option<UnitDefinitions>,
+        #[serde(rename = "TypeDefinitions")]
+        pub type_definitions: Option<TypeDefinitions>,
         #[serde(rename = "ModelVariables")]
         pub model_variables: ModelVariables,
+    }
+
+    #[derive(Deserialize)]
+    pub struct UnitDefinitions {
+        #[serde(rename = "Unit", default)]
+        pub units: Vec<Unit>,
+    }
+
+    #[derive(Deserialize)]
+    pub struct Unit {
+        #[serde(rename = "@name")]
+        pub name: String,
+        #[serde(rename = "BaseUnit")]
+        pub base: Option<BaseUnit>,
+    }
+
+    /// The attributes are the same in FMI and in SSP.
+    #[derive(Deserialize)]
+    #[serde(default)]
+    pub struct BaseUnit {
+        #[serde(rename = "@kg")]
+        kg: i32,
+        #[serde(rename = "@m")]
+        m: i32,
+        #[serde(rename = "@s")]
+        s: i32,
+        #[serde(rename = "@A")]
+        ampere: i32,
+        #[serde(rename = "@K")]
+        kelvin: i32,
+        #[serde(rename = "@mol")]
+        mol: i32,
+        #[serde(rename = "@cd")]
+        cd: i32,
+        #[serde(rename = "@factor")]
+        factor: f64,
+        #[serde(rename = "@offset")]
+        offset: f64,
+    }
+
+    impl Default for BaseUnit {
+        fn default() -> Self {
+            let (kg, m, s, ampere, kelvin, mol, cd) = Default::default();
+            Self { kg, m, s, ampere, kelvin, mol, cd, factor: 1.0, offset: 0.0 }
+        }
+    }
+
+    impl BaseUnit {
+        /// The unit, unless its numbers make no sense.
+        pub fn si(&self) -> Option<SiUnit> {
+            let exponents = [self.kg, self.m, self.s, self.ampere, self.kelvin, self.mol, self.cd];
+            let to_base = Linear { factor: self.factor, offset: self.offset };
+            (to_base.factor.is_normal() && to_base.offset.is_finite())
+                .then_some(SiUnit { dimension: Dimension(exponents), to_base })
+        }
+    }
+
+    #[derive(Deserialize)]
+    pub struct TypeDefinitions {
+        #[serde(rename = "SimpleType", default)]
+        pub types: Vec<SimpleType>,
+    }
+
+    #[derive(Deserialize)]
+    pub struct SimpleType {
+        #[serde(rename = "@name")]
+        pub name: String,
+        #[serde(rename = "Real")]
+        pub real: Option<Real>,
     }
 
     #[derive(Deserialize)]
@@ -175,6 +301,10 @@ mod xml {
         pub model_identifier: String,
         #[serde(rename = "@canBeInstantiatedOnlyOncePerProcess", default)]
         pub once_per_process: bool,
+        #[serde(rename = "@canGetAndSetFMUstate", default)]
+        pub can_get_and_set_state: bool,
+        #[serde(rename = "@canHandleVariableCommunicationStepSize", default)]
+        pub variable_step: bool,
     }
 
     #[derive(Deserialize)]
@@ -196,23 +326,33 @@ mod xml {
         #[serde(rename = "Real")]
         pub real: Option<Real>,
         #[serde(rename = "Integer")]
-        pub integer: Option<Empty>,
+        pub integer: Option<Other>,
         #[serde(rename = "Boolean")]
-        pub boolean: Option<Empty>,
+        pub boolean: Option<Other>,
         #[serde(rename = "String")]
-        pub text: Option<Empty>,
+        pub text: Option<Other>,
         #[serde(rename = "Enumeration")]
-        pub enumeration: Option<Empty>,
+        pub enumeration: Option<Other>,
     }
 
     #[derive(Deserialize)]
     pub struct Real {
+        #[serde(rename = "@declaredType")]
+        pub declared_type: Option<String>,
         #[serde(rename = "@unit")]
         pub unit: Option<String>,
+        #[serde(rename = "@relativeQuantity", default)]
+        pub relative: bool,
+        #[serde(rename = "@start")]
+        pub start: Option<String>,
     }
 
+    /// A variable of another type than Real.
     #[derive(Deserialize)]
-    pub struct Empty {}
+    pub struct Other {
+        #[serde(rename = "@start")]
+        pub start: Option<String>,
+    }
 
     fn local() -> String {
         "local".to_owned()
@@ -247,6 +387,32 @@ mod tests {
         let force = interface.variable("axle[1].force").unwrap();
         assert_eq!((force.reference, force.unit.as_deref()), (3, Some("N")));
         assert_eq!(interface.variable("file").unwrap().kind, VariableType::Text);
+    }
+
+    /// The definition of km/h, from a variable and from its declared type.
+    #[test]
+    fn analytic_units_are_traced_to_si_base_units() {
+        let definitions = r#"<UnitDefinitions>
+              <Unit name="km/h"><BaseUnit m="1" s="-1" factor="0.2777777777777778"/></Unit>
+              <Unit name="degC"><BaseUnit K="1" offset="273.15"/></Unit>
+              <Unit name="pain"/>
+            </UnitDefinitions>
+            <TypeDefinitions><SimpleType name="Speed"><Real unit="km/h"/></SimpleType></TypeDefinitions>
+          <ModelVariables>
+            <ScalarVariable name="v" valueReference="5" causality="output">
+              <Real declaredType="Speed"/></ScalarVariable>
+            <ScalarVariable name="rise" valueReference="6" causality="output">
+              <Real unit="degC" relativeQuantity="true"/></ScalarVariable>
+            <ScalarVariable name="ache" valueReference="7" causality="output">
+              <Real unit="pain"/></ScalarVariable>"#;
+        let interface = Interface::from_xml(&XML.replace("<ModelVariables>", definitions)).unwrap();
+        let variable = |name| interface.variable(name).unwrap();
+        assert_eq!(variable("v").unit.as_deref(), Some("km/h"));
+        let si = variable("v").si.unwrap();
+        assert_eq!(si.dimension, Dimension::mechanical(0, 1, -1));
+        assert!((si.to_base.apply(36.0) - 10.0).abs() < 1e-12, "rounding of the factor");
+        assert_eq!(variable("rise").si.unwrap().to_base.offset, 0.0, "a difference");
+        assert_eq!((variable("ache").unit.as_deref(), variable("ache").si), (Some("pain"), None));
     }
 
     #[test]

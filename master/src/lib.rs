@@ -4,37 +4,60 @@
 //! | place | part |
 //! |---|---|
 //! | `scenario/` | the scenario file |
-//! | `prepare.rs`, `resources.rs`, `pack.rs` | from a scenario to wired units |
+//! | `prepare.rs`, `prepare_rail.rs`, `parameters.rs`, `resources.rs` | from a scenario to wired units |
+//! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
-//! | `unit.rs`, `port.rs`, `roles.rs` | units, the signals they exchange, and their roles |
+//! | `check/` | the rules of FMI 2.0 for an FMU |
+//! | `reference/` | the reference result that an FMU carries as a self-test |
+//! | `unit.rs`, `port.rs`, `roles.rs`, `si.rs` | models, the signals they exchange, their roles, and units of measurement |
 //! | `start.rs`, `lockstep.rs`, `rail.rs`, `parallel.rs` | initialisation and the step loop |
-//! | `synchronisation.rs` | the controller that keeps vehicles at their place |
-//! | `run.rs`, `observe.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
+//! | `foresee.rs` | what is wrong with the run before its first step |
+//! | `traffic.rs`, `tape.rs` | what the rails go through after the run |
+//! | `synchronisation.rs` | gains of the controllers that keep vehicles at their place |
+//! | `run.rs`, `stepping.rs`, `finished.rs`, `observe.rs`, `observe_rail.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
 //! | `recording/`, `report/` | series files and the report |
+//! | `expected.rs` | the figures of a run against those expected of its scenario |
+//! | `supervise.rs` | a run in a child process, which an FMU may crash |
+//! | `ssp/` | systems of FMUs in SSP packages: export of a train, and runs of any system |
 //! | `commands.rs` | the commands of the program |
 
 mod archive;
+pub mod check;
 pub mod commands;
+mod documentation;
+mod expected;
+mod finished;
 mod fmi;
+mod foresee;
 mod interface;
 mod lockstep;
 mod manifest;
 mod observe;
+mod observe_rail;
 mod pack;
 mod parallel;
+mod parameters;
 mod port;
 mod prepare;
+mod prepare_rail;
 mod progress;
 mod rail;
 pub mod recording;
+mod reference;
 mod report;
 mod resources;
 pub mod roles;
 mod run;
 pub mod scenario;
+mod si;
+pub mod ssp;
 mod start;
+mod stepping;
+mod supervise;
 mod synchronisation;
+mod tape;
 mod times;
+mod traffic;
 mod unit;
 
 #[cfg(test)]

@@ -1,15 +1,16 @@
-//! The step loop: train, vehicles and rail in lockstep (docs/user-guide, "The step").
+//! The step loop: train, vehicles and rails in lockstep (docs/user-guide, "The step").
 //!
 //! After each step the outputs of a unit are got once; then everything is computed, set once and
 //! stepped, so that no output is read between a set and the next step (FMI 2.0 §4.2.4). Times
 //! are t_k = t_0 + k·h from integers.
+
+use controller::{Controller, Motion};
 
 use crate::parallel;
 use crate::port::Port;
 use crate::rail::Rail;
 use crate::roles::{train, vehicle_input, vehicle_output};
 use crate::scenario::Scheme;
-use crate::synchronisation::{Controller, Motion};
 use crate::times::{StepTimes, Stopwatch};
 use crate::unit::{Unit, UnitError};
 
@@ -17,6 +18,8 @@ use crate::unit::{Unit, UnitError};
 pub struct Train {
     /// The unit.
     pub unit: Box<dyn Unit>,
+    /// Position and speed at the start.
+    pub start: Port,
     /// Outputs at the last communication point.
     pub outputs: Port,
 }
@@ -25,12 +28,19 @@ pub struct Train {
 pub struct Vehicle {
     /// The unit.
     pub unit: Box<dyn Unit>,
+    /// Position and speed at the start.
+    pub start: Port,
     /// Forces of the step, [`vehicle_input::NAMES`].
     pub inputs: Port,
+    /// Inputs that keep a value throughout: reference and value.
+    pub constants: Vec<(u32, f64)>,
     /// Outputs at the last communication point, laid out as [`vehicle_output`] says.
     pub outputs: Port,
     /// Keeps it at its place in the train.
     pub controller: Controller,
+    /// The controller's output at the last communication point, for the scheme in which it is a
+    /// unit like the others, N.
+    pub controller_force: f64,
 }
 
 /// Communication points t_k = start + k·length.
@@ -59,13 +69,33 @@ pub struct Lockstep {
     pub train: Train,
     /// The vehicles from head to tail.
     pub vehicles: Vec<Vehicle>,
-    /// The rail, if one is heated.
-    pub rail: Option<Rail>,
+    /// The heated rails.
+    pub rails: Vec<Rail>,
     /// Where the wall time goes.
     pub times: StepTimes,
 }
 
 impl Lockstep {
+    /// All units: the train, the vehicles from head to tail, the rails.
+    pub fn units(&self) -> impl Iterator<Item = &dyn Unit> {
+        let vehicles = self.vehicles.iter().map(|vehicle| vehicle.unit.as_ref());
+        let rails = self.rails.iter().map(|rail| rail.unit.as_ref());
+        std::iter::once(self.train.unit.as_ref()).chain(vehicles).chain(rails)
+    }
+
+    /// All units, in the order of [`units`](Self::units).
+    pub fn units_mut(&mut self) -> impl Iterator<Item = &mut Box<dyn Unit>> {
+        let vehicles = self.vehicles.iter_mut().map(|vehicle| &mut vehicle.unit);
+        let rails = self.rails.iter_mut().map(|rail| &mut rail.unit);
+        std::iter::once(&mut self.train.unit).chain(vehicles).chain(rails)
+    }
+
+    /// The time to which the rails have come after so many steps, s.
+    pub fn rails_time(&self, steps: u64) -> f64 {
+        let every = self.rails.first().map_or(1, |rail| rail.every);
+        self.clock.at(steps / every * every)
+    }
+
     /// Takes all units from point `k` to `k + 1`.
     ///
     /// # Errors
@@ -96,22 +126,27 @@ impl Lockstep {
         }
         self.times.exchange += watch.lap();
 
-        if let Some(rail) = &mut self.rail {
-            rail.step(self.clock, k)?;
+        if self.rails.iter().any(|rail| rail.is_due(k)) {
+            let clock = self.clock;
+            parallel::for_each(&mut self.rails, |rail| rail.step(clock, k))?;
         }
         self.times.rail += watch.lap();
         Ok(())
     }
 
     /// Forms the synchronisation forces from the errors at one instant.
+    ///
+    /// Sequentially they act at once; where all units take the last exchange, a force acts in
+    /// the step after the one in which the controller has formed it.
     fn synchronise(&mut self) {
-        let length = self.clock.length;
+        let (length, scheme) = (self.clock.length, self.scheme);
         for (vehicle, place) in self.vehicles.iter_mut().zip(self.train.blocks()) {
-            let motion = vehicle.motion();
-            let in_train =
-                Motion { position: place[train::POSITION], velocity: place[train::VELOCITY] };
-            vehicle.inputs.values[vehicle_input::SYNCHRONISATION] =
-                vehicle.controller.force(motion, in_train, length);
+            let force = vehicle.controller.step(vehicle.motion(), in_train(place), length);
+            let last = std::mem::replace(&mut vehicle.controller_force, force);
+            vehicle.inputs.values[vehicle_input::SYNCHRONISATION] = match scheme {
+                Scheme::Sequential => force,
+                Scheme::Jacobi => last,
+            };
         }
     }
 
@@ -127,12 +162,18 @@ impl Lockstep {
         }
     }
 
-    /// Hands the wheels' outputs to the rail.
+    /// Hands the wheels' outputs to the rails.
     pub fn pass_wheels(&mut self) {
-        if let Some(rail) = &mut self.rail {
-            rail.take(self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice()));
+        for rail in &mut self.rails {
+            let outputs = self.vehicles.iter().map(|vehicle| vehicle.outputs.values.as_slice());
+            rail.take(outputs.zip(self.train.blocks()));
         }
     }
+}
+
+/// Motion of a vehicle's place in the train, from its block of outputs.
+pub fn in_train(block: &[f64]) -> Motion {
+    Motion { position: block[train::POSITION], velocity: block[train::VELOCITY] }
 }
 
 impl Train {
@@ -152,6 +193,12 @@ impl Vehicle {
         self.inputs.set(self.unit.as_mut())?;
         self.unit.step(time, length)?;
         self.outputs.get(self.unit.as_mut())
+    }
+
+    /// Number of its wheelsets.
+    pub fn wheelsets(&self) -> usize {
+        let of_wheelsets = self.outputs.values.len() - vehicle_output::NAMES.len();
+        of_wheelsets / vehicle_output::WHEELSET_BLOCK
     }
 
     /// Position and velocity at the last communication point.

@@ -3,18 +3,21 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
+use controller::{Controller, Gains, Motion};
+
 use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::mock::Mock;
 use crate::port::{Port, Signal};
 use crate::rail::Rail;
-use crate::roles::{self, vehicle_input, vehicle_output};
+use crate::roles::{self, rail_input, vehicle_input, vehicle_output};
 use crate::scenario::Scheme;
-use crate::start::StartValues;
-use crate::synchronisation::{Controller, Gains};
+use crate::tape::Tape;
 use crate::unit::Unit;
 
 const VEHICLES: usize = 2;
 const STEP: f64 = 0.5;
+/// Gain of the controllers on the position error, N/m.
+const KP: f64 = 2.0;
 
 type Calls = Arc<Mutex<Vec<String>>>;
 
@@ -26,7 +29,8 @@ fn port(unit: &dyn Unit, signals: &[Signal], causality: &str) -> Port {
     Port::connect(unit.interface(), signals, causality, &BTreeMap::new()).unwrap()
 }
 
-/// The train's coupler forces are the time at the end of the step, plus 100 for each place.
+/// The train's coupler forces are the time at the end of the step, plus 100 for each place; the heat
+/// of its brakes is ten times that.
 fn train(calls: &Calls) -> Train {
     let signals = roles::longitudinal_signals(VEHICLES);
     let variables: Vec<_> =
@@ -34,15 +38,18 @@ fn train(calls: &Calls) -> Train {
     let block = roles::train::NAMES.len();
     let unit = Mock::new("train", &variables, calls, move |values, time, length| {
         for place in 0..VEHICLES {
-            values[place * block + roles::train::COUPLER_FRONT] =
-                time + length + 100.0 * place as f64;
+            let value = time + length + 100.0 * place as f64;
+            values[place * block + roles::train::COUPLER_FRONT] = value;
+            values[place * block + roles::train::WHEEL_BRAKE_POWER] = 10.0 * value;
         }
     });
+    let start = port(&unit, &signals.parameters, "parameter");
     let outputs = port(&unit, &signals.outputs, "output");
-    Train { unit: Box::new(unit), outputs }
+    Train { unit: Box::new(unit), start, outputs }
 }
 
-/// A vehicle's position is the force that it got; its wheels' friction power is the time.
+/// A vehicle's position is the time, that of its wheelset the force that it got; its wheels'
+/// friction power is the time.
 fn vehicle(place: usize, calls: &Calls) -> Vehicle {
     let signals = roles::vehicle_signals(1);
     let variables: Vec<_> = with(&signals.inputs, "input")
@@ -52,14 +59,25 @@ fn vehicle(place: usize, calls: &Calls) -> Vehicle {
     let outputs_at = signals.inputs.len();
     let name = format!("vehicle[{}]", place + 1);
     let unit = Mock::new(&name, &variables, calls, move |values, time, length| {
+        values[outputs_at + vehicle_output::POSITION] = time + length;
         values[outputs_at + vehicle_output::wheelset(0)] = values[vehicle_input::COUPLER_FRONT];
         values[outputs_at + vehicle_output::wheel(0, 0) + vehicle_output::FRICTION_POWER] =
             time + length;
     });
+    let start = port(&unit, &signals.parameters, "parameter");
     let inputs = port(&unit, &signals.inputs, "input");
     let outputs = port(&unit, &signals.outputs, "output");
-    let gains = Gains { proportional: 0.0, integral: 0.0, derivative: 0.0, limit: 0.0 };
-    Vehicle { unit: Box::new(unit), inputs, outputs, controller: Controller::new(gains) }
+    let limit = f64::INFINITY;
+    let gains = Gains { proportional: KP, integral: 0.0, derivative: 0.0, limit };
+    Vehicle {
+        constants: vec![],
+        unit: Box::new(unit),
+        start,
+        inputs,
+        outputs,
+        controller: Controller::new(gains),
+        controller_force: 0.0,
+    }
 }
 
 fn lockstep(scheme: Scheme, every: u64) -> (Lockstep, Calls) {
@@ -74,17 +92,24 @@ fn lockstep(scheme: Scheme, every: u64) -> (Lockstep, Calls) {
         scheme,
         train: train(&calls),
         vehicles: (0..VEHICLES).map(|place| vehicle(place, &calls)).collect(),
-        rail: Some(rail),
+        rails: vec![rail],
         times: Default::default(),
     };
     (lockstep, calls)
 }
 
 fn run(lockstep: &mut Lockstep, steps: u64) {
+    run_from(lockstep, 0, steps);
+}
+
+/// Runs the steps from `first` up to before `end`, from the initialisation if that is step 0.
+fn run_from(lockstep: &mut Lockstep, first: u64, end: u64) {
     let pool = crate::parallel::pool(1).unwrap();
     pool.install(|| {
-        lockstep.initialize(StartValues { position: 0.0, velocity: 1.0 }, 10.0).unwrap();
-        for k in 0..steps {
+        if first == 0 {
+            lockstep.initialize(Motion { position: 0.0, velocity: 1.0 }, 10.0, 10.0).unwrap();
+        }
+        for k in first..end {
             lockstep.step(k).unwrap();
         }
     });
@@ -99,7 +124,7 @@ fn sequential_vehicles_get_the_forces_of_the_end_of_the_step() {
     run(&mut lockstep, 2);
     let forces = lockstep.vehicles.iter().map(|v| v.inputs.values[vehicle_input::COUPLER_FRONT]);
     assert_eq!(forces.collect::<Vec<_>>(), [1.0, 101.0]);
-    let rail = lockstep.rail.unwrap();
+    let rail = &lockstep.rails[0];
     assert_eq!(rail.inputs.values[0], 1.0, "position of the first wheelset");
     assert_eq!(rail.inputs.values[POWER], 1.0);
 }
@@ -110,19 +135,68 @@ fn jacobi_vehicles_get_the_forces_of_the_beginning_of_the_step() {
     run(&mut lockstep, 2);
     let forces = lockstep.vehicles.iter().map(|v| v.inputs.values[vehicle_input::COUPLER_FRONT]);
     assert_eq!(forces.collect::<Vec<_>>(), [0.5, 100.5]);
-    assert_eq!(lockstep.rail.unwrap().inputs.values[POWER], 0.5);
+    assert_eq!(lockstep.rails[0].inputs.values[POWER], 0.5);
+}
+
+/// The error of position is the time, as the train's place in the mock is zero.
+#[test]
+fn the_controllers_force_acts_at_once_or_as_that_of_a_unit_one_step_later() {
+    for (scheme, expected) in
+        [(Scheme::Sequential, [0.0, -0.5 * KP, -KP]), (Scheme::Jacobi, [0.0, 0.0, -0.5 * KP])]
+    {
+        let (mut lockstep, _) = lockstep(scheme, 1);
+        let mut forces = vec![];
+        for steps in 0..3 {
+            run_from(&mut lockstep, steps, steps + 1);
+            forces.push(lockstep.vehicles[0].inputs.values[vehicle_input::SYNCHRONISATION]);
+        }
+        assert_eq!(forces, expected, "{scheme:?}");
+    }
 }
 
 #[test]
 fn a_slower_rail_gets_means_and_the_last_position() {
     let (mut lockstep, calls) = lockstep(Scheme::Sequential, 2);
     run(&mut lockstep, 4);
-    let rail = lockstep.rail.unwrap();
+    let rail = &lockstep.rails[0];
     assert_eq!(rail.inputs.values[POWER], (1.5 + 2.0) / 2.0);
     assert_eq!(rail.inputs.values[0], 2.0);
     let calls = calls.lock().unwrap();
     let steps: Vec<_> = calls.iter().filter(|call| call.starts_with("rail step")).collect();
     assert_eq!(steps, ["rail step 0.000", "rail step 1.000"]);
+}
+
+/// A rail of 2 exchange steps a step: what it got in the run comes again from the tape; alone all
+/// inputs are zero.
+#[test]
+fn a_train_comes_again_as_it_was_and_alone_there_is_none() {
+    let (mut lockstep, _) = lockstep(Scheme::Sequential, 2);
+    let folder = tempfile::tempdir().unwrap();
+    lockstep.rails[0].tape = Some(Tape::new(folder.path()).unwrap());
+    run(&mut lockstep, 4);
+    assert_eq!(lockstep.rails_time(5), 4.0 * STEP, "an unfinished step of the rail does not count");
+    let rail = &mut lockstep.rails[0];
+    let of_last_step = rail.inputs.values.clone();
+    rail.step_alone(2.0, 10.0).unwrap();
+    assert!(rail.inputs.values.iter().all(|value| *value == 0.0));
+    assert_eq!(rail.rewind().unwrap(), 2);
+    rail.step_again(12.0, 1.0).unwrap();
+    assert_eq!(rail.inputs.values[POWER], (0.5 + 1.0) / 2.0);
+    rail.step_again(13.0, 1.0).unwrap();
+    assert_eq!(rail.inputs.values, of_last_step);
+    let end = rail.step_again(14.0, 1.0).unwrap_err().to_string();
+    assert!(end.contains("left rail") && end.contains("further trains"), "{end}");
+}
+
+#[test]
+fn the_rail_gets_the_brake_heat_that_the_train_tells() {
+    let (mut lockstep, _) = lockstep(Scheme::Sequential, 2);
+    run(&mut lockstep, 4);
+    let rail = &lockstep.rails[0];
+    let heat = |vehicle: usize| {
+        rail.inputs.values[vehicle * rail_input::NAMES.len() + rail_input::BRAKE_POWER]
+    };
+    assert_eq!([heat(0), heat(1)], [17.5, 1017.5], "means of the steps that end at 1.5 and 2 s");
 }
 
 /// FMI 2.0 §4.2.4: in stepping, no output is got after a set without a step in between.

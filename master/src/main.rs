@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
-use hotfoot::{Role, commands};
+use hotfoot::{check, commands};
 
 /// Full-train co-simulation of in-train forces, wheel-rail contact and rail-foot heat.
 #[derive(Parser)]
@@ -15,21 +15,25 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Run a scenario and write its results and report
+    /// Run a scenario and write its results and report, or run an SSP package
     Run(commands::RunArguments),
+    /// Write a scenario's train as an SSP package for other tools
+    ExportSsp(commands::ExportArguments),
     /// Make the report of a results folder again
     Report {
         /// Folder that a run has written
         results: PathBuf,
     },
-    /// Say whether an FMU can fill a role in the train, and what it lacks
-    Check {
-        /// FMU
-        fmu: PathBuf,
-        /// The role
-        #[arg(long = "as", value_enum)]
-        role: Role,
+    /// Compare the figures of a run with those expected of its scenario
+    Expect {
+        /// Folder that a run has written
+        results: PathBuf,
+        /// File of expected figures, such as `expected.toml` beside the scenario
+        expected: PathBuf,
     },
+    /// Check an FMU against the rules of FMI 2.0, for a role in the train, and against the
+    /// reference result that it carries
+    Check(check::CheckArguments),
     /// Pack an FMU: a binary with resources and the model description for them
     Pack(commands::PackArguments),
     /// List the variables of an FMU
@@ -63,8 +67,10 @@ fn main() -> miette::Result<()> {
     }))?;
     match Arguments::parse().command {
         Command::Run(arguments) => commands::run(&arguments),
+        Command::ExportSsp(arguments) => commands::export_ssp(&arguments),
         Command::Report { results } => commands::report(&results),
-        Command::Check { fmu, role } => commands::check(&fmu, role),
+        Command::Expect { results, expected } => commands::expect(&results, &expected),
+        Command::Check(arguments) => check::command(&arguments),
         Command::Pack(arguments) => commands::pack(&arguments),
         Command::Interface { fmu, xml } => commands::interface(&fmu, xml),
         Command::Schema => commands::schema(),

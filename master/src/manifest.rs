@@ -1,15 +1,19 @@
 //! `manifest.toml`: what made the results of a run.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Duration;
 
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use crate::prepare::Folders;
-use crate::report::RunFacts;
-use crate::scenario::Scenario;
+use crate::lockstep::Lockstep;
+use crate::prepare_rail::{Extent, field_file};
+use crate::report::{MainFigure, RailFacts, RunFacts};
+use crate::scenario::{Heat, Scenario};
 use crate::times::StepTimes;
+use crate::traffic::Traffic;
+use crate::unit::Unit;
 
 /// The manifest cannot be written.
 #[derive(Debug)]
@@ -23,9 +27,8 @@ pub struct ManifestError {
 /// What made the results of a run.
 #[derive(Debug, Serialize)]
 pub struct Manifest {
-    hotfoot_version: &'static str,
-    git_commit: &'static str,
-    machine: String,
+    #[serde(flatten)]
+    origin: Origin,
     /// Simulated time reached, s; 0 while the run has not ended.
     simulated_s: f64,
     scenario: String,
@@ -33,6 +36,28 @@ pub struct Manifest {
     pub run: RunFacts,
     wall_time_of: Vec<WallTime>,
     fmu: Vec<FmuEntry>,
+    /// The main figures of the report, for programs.
+    pub figure: Vec<MainFigure>,
+}
+
+/// The program and the machine.
+#[derive(Debug, Serialize)]
+pub struct Origin {
+    hotfoot_version: &'static str,
+    git_commit: &'static str,
+    machine: String,
+}
+
+impl Origin {
+    /// This program on this machine.
+    pub fn new() -> Self {
+        let cores = std::thread::available_parallelism().map_or(0, usize::from);
+        Self {
+            hotfoot_version: env!("CARGO_PKG_VERSION"),
+            git_commit: env!("HOTFOOT_GIT_COMMIT"),
+            machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+        }
+    }
 }
 
 /// Wall time of a part of all steps.
@@ -44,7 +69,7 @@ struct WallTime {
 
 /// An FMU that took part.
 #[derive(Debug, Serialize)]
-struct FmuEntry {
+pub struct FmuEntry {
     file: String,
     sha256: String,
     guid: String,
@@ -52,14 +77,13 @@ struct FmuEntry {
 
 impl Manifest {
     /// A manifest of a run that begins.
-    pub fn new(scenario: &Scenario, text: String, threads: usize, folders: &Folders) -> Self {
-        let cores = std::thread::available_parallelism().map_or(0, usize::from);
+    pub fn new(scenario: &Scenario, text: String, threads: usize, lockstep: &Lockstep) -> Self {
         let run = RunFacts {
             title: scenario.title.clone(),
             train_alone: scenario.train_alone,
             vehicles: scenario.vehicle_count(),
             plotted: scenario.recorded_vehicles(),
-            rail: scenario.heat.as_ref().map_or("", |heat| heat.rail.side()).to_owned(),
+            rails: scenario.heat.as_ref().map(|heat| rail_facts(scenario, heat, lockstep)),
             heat_maps_at_s: scenario.record.heat_maps_at_s.clone(),
             curves_m: curves(&scenario.track.file),
             step_s: scenario.step_s,
@@ -67,14 +91,13 @@ impl Manifest {
             ..RunFacts::default()
         };
         Self {
-            hotfoot_version: env!("CARGO_PKG_VERSION"),
-            git_commit: env!("HOTFOOT_GIT_COMMIT"),
-            machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+            origin: Origin::new(),
             simulated_s: 0.0,
             scenario: text,
             run,
             wall_time_of: vec![],
-            fmu: fmus(scenario, folders),
+            fmu: fmus(lockstep.units()),
+            figure: vec![],
         }
     }
 
@@ -88,6 +111,7 @@ impl Manifest {
             ("rail", times.rail),
             ("exchange", times.exchange),
             ("recording", times.recording),
+            ("rails after the run", times.rails_after),
         ];
         self.wall_time_of =
             parts.map(|(part, time)| WallTime { part, seconds: time.as_secs_f64() }).into();
@@ -98,11 +122,33 @@ impl Manifest {
     /// # Errors
     /// When the file cannot be written.
     pub fn write(&self, results: &Path) -> Result<(), ManifestError> {
-        let path = results.join("manifest.toml");
-        let text = toml::to_string(self).expect("a manifest is a TOML table");
-        std::fs::write(&path, text)
-            .map_err(|source| ManifestError { path: path.display().to_string(), source })
+        write_toml(self, results)
     }
+}
+
+/// What the run knows of the heated rails.
+fn rail_facts(scenario: &Scenario, heat: &Heat, lockstep: &Lockstep) -> RailFacts {
+    let run = (scenario.duration_s / scenario.step_s).round() as u64;
+    RailFacts {
+        sides: lockstep.rails.iter().map(|rail| rail.side_name().to_owned()).collect(),
+        fields: lockstep.rails.iter().map(|rail| field_file(heat, rail.side)).collect(),
+        model: heat.model.clone(),
+        length_m: Extent::of(scenario, heat).length,
+        detection_threshold_k: 1e-3 * heat.detection_threshold_mk,
+        trains: heat.trains.count,
+        last_train_end_s: Traffic::of(heat).last_train_end(lockstep.rails_time(run)),
+    }
+}
+
+/// Writes a manifest into the results folder.
+///
+/// # Errors
+/// When the file cannot be written.
+pub fn write_toml(manifest: &impl Serialize, results: &Path) -> Result<(), ManifestError> {
+    let path = results.join("manifest.toml");
+    let text = toml::to_string(manifest).expect("a manifest is a TOML table");
+    std::fs::write(&path, text)
+        .map_err(|source| ManifestError { path: path.display().to_string(), source })
 }
 
 /// The curves of the track, for the figures; a track that cannot be read has none here, since
@@ -111,23 +157,18 @@ fn curves(track: &Path) -> Vec<[f64; 2]> {
     track::Track::from_file(track).map(|track| track.curves()).unwrap_or_default()
 }
 
-/// The FMUs of a run: those packed for it, and those that the scenario names.
-fn fmus(scenario: &Scenario, folders: &Folders) -> Vec<FmuEntry> {
-    let packed = std::fs::read_dir(folders.results.join("fmus")).into_iter().flatten();
-    let mut files: Vec<_> = packed.flatten().map(|entry| entry.path()).collect();
-    let named = &scenario.fmus;
-    files.extend(
-        [&named.longitudinal, &named.vehicle, &named.railheat].into_iter().flatten().cloned(),
-    );
-    files.extend(named.vehicle_at.iter().map(|replacement| replacement.file.clone()));
-    files.sort();
-    files.iter().filter_map(|file| entry(file)).collect()
+/// The FMUs that the units of a run are instances of.
+pub fn fmus<'u>(units: impl Iterator<Item = &'u dyn Unit>) -> Vec<FmuEntry> {
+    let guids: BTreeMap<_, _> =
+        units.map(|unit| (unit.source_file(), &unit.interface().guid)).collect();
+    let entry = |(file, guid): (&str, &String)| {
+        let sha256 = sha256(&std::fs::read(file).ok()?);
+        Some(FmuEntry { file: file.to_owned(), sha256, guid: guid.clone() })
+    };
+    guids.into_iter().filter_map(entry).collect()
 }
 
-fn entry(file: &Path) -> Option<FmuEntry> {
-    let bytes = std::fs::read(file).ok()?;
-    let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-    let import = crate::Import::open(file).ok()?;
-    let guid = import.interface().guid.clone();
-    Some(FmuEntry { file: file.display().to_string(), sha256, guid })
+/// The digest of a file's content as hexadecimal digits.
+fn sha256(content: &[u8]) -> String {
+    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -31,6 +31,8 @@ impl Mock {
             kind: VariableType::Real,
             causality: (*causality).to_owned(),
             unit: None,
+            si: None,
+            start: None,
             description: String::new(),
         };
         Self {
@@ -48,12 +50,40 @@ impl Mock {
 }
 
 impl Unit for Mock {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn source_file(&self) -> &str {
+        "a mock"
+    }
+
     fn interface(&self) -> &Interface {
         &self.interface
     }
 
     fn set_text(&mut self, _: u32, _: &str) -> Result<(), UnitError> {
         unreachable!("a mock has no texts")
+    }
+
+    fn get_text(&mut self, _: u32) -> Result<String, UnitError> {
+        unreachable!("a mock has no texts")
+    }
+
+    fn set_integers(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
+    }
+
+    fn get_integers(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
+    }
+
+    fn set_booleans(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
+    }
+
+    fn get_booleans(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
+        unreachable!("a mock has Real variables only")
     }
 
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {

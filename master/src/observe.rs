@@ -1,19 +1,26 @@
-//! What is recorded of a run: the series of the train, the vehicles and chosen wheels.
+//! What is recorded of a run: the series of the train, the vehicles and chosen wheels, and of the
+//! rails (`observe_rail.rs`).
 
 use std::path::Path;
 
 use crate::lockstep::{Lockstep, Vehicle};
+use crate::observe_rail::RailRecorder;
 use crate::port::{Port, Signal};
+use crate::rail::Rail;
 use crate::recording::{
     Column, RecordingError, SeriesWriter, Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys,
 };
 use crate::report::EnergyLine;
-use crate::roles::{SIDES, train, vehicle_input, vehicle_output, wheelset_count};
+use crate::roles::{SIDES, train, vehicle_input, vehicle_output};
 use crate::scenario::Scenario;
 use crate::unit::{Unit, UnitError};
 
-/// Recorded instants in a part of a series on disk; a killed run loses less than this.
+/// Simulated time in a part of a series on disk, s; a killed run loses less than this.
 const PART_S: f64 = 1.0;
+
+/// The same of a train alone, s. It runs more than a hundred times faster than real time, so that
+/// this is less than half a second by the clock; parts of 1 s took a third of the time of the run.
+const PART_OF_A_TRAIN_ALONE_S: f64 = 50.0;
 
 /// Why recording failed.
 #[derive(Debug, thiserror::Error)]
@@ -30,17 +37,18 @@ pub enum ObserveError {
 pub struct Recorder {
     train: SeriesWriter,
     train_outputs: Port,
-    rail_outputs: Port,
     vehicles: SeriesWriter,
     /// None where no vehicle has wheels, as in a train alone.
     wheels: Option<SeriesWriter>,
+    /// None where no rail is heated.
+    rails: Option<RailRecorder>,
     /// Vehicle (from zero), wheelset and side of each row of the wheels.
     wheel_rows: Vec<(usize, usize, usize)>,
     /// Exchange steps per record.
     every: u64,
     /// Whether each vehicle has had traction.
     powered: Vec<bool>,
-    /// Names of the recorded outputs of train and rail that are energies, with their places.
+    /// Names of the recorded outputs of the train that are energies, with their places.
     energies: Vec<(String, usize)>,
 }
 
@@ -55,13 +63,9 @@ impl Recorder {
         folder: &Path,
     ) -> Result<Self, ObserveError> {
         let every = (scenario.record.interval_s / scenario.step_s).round() as u64;
-        let per_part = (PART_S / scenario.record.interval_s).ceil() as usize;
-        let (train_outputs, mut columns) = all_outputs(lockstep.train.unit.as_ref(), "");
-        let (rail_outputs, rail_columns) = match &lockstep.rail {
-            Some(rail) => all_outputs(rail.unit.as_ref(), "rail."),
-            None => Default::default(),
-        };
-        columns.extend(rail_columns);
+        let part = if scenario.train_alone { PART_OF_A_TRAIN_ALONE_S } else { PART_S };
+        let per_part = (part / scenario.record.interval_s).ceil() as usize;
+        let (train_outputs, columns) = all_outputs(lockstep.train.unit.as_ref());
         let is_energy = |(_, column): &(usize, &Column)| column.unit() == "J";
         let energies = columns.iter().enumerate().filter(is_energy);
         let energies = energies.map(|(i, column)| (column.name().to_owned(), i)).collect();
@@ -73,7 +77,6 @@ impl Recorder {
         Ok(Self {
             train: create("train", vec![], columns)?,
             train_outputs,
-            rail_outputs,
             vehicles: create(
                 "vehicles",
                 vehicle_keys(scenario.vehicle_count()),
@@ -83,6 +86,7 @@ impl Recorder {
                 true => None,
                 false => Some(create("wheels", wheel_keys(&keys), WheelRow::columns())?),
             },
+            rails: RailRecorder::new(&lockstep.rails, folder, per_part)?,
             wheel_rows,
             every,
             powered: vec![false; scenario.vehicle_count()],
@@ -120,10 +124,14 @@ impl Recorder {
         powered.map(|(i, _)| i + 1).collect()
     }
 
-    /// The energies that train and rail gave at the last record.
+    /// Exchange steps per record.
+    pub fn every(&self) -> u64 {
+        self.every
+    }
+
+    /// The energies that the train gave at the last record.
     pub fn energy(&self) -> Vec<EnergyLine> {
-        let values: Vec<f64> =
-            self.train_outputs.values.iter().chain(&self.rail_outputs.values).copied().collect();
+        let values = &self.train_outputs.values;
         let line =
             |(name, i): &(String, usize)| EnergyLine { name: name.clone(), joules: values[*i] };
         self.energies.iter().map(line).collect()
@@ -131,18 +139,21 @@ impl Recorder {
 
     fn record(&mut self, time: f64, lockstep: &mut Lockstep) -> Result<(), ObserveError> {
         self.train_outputs.get(lockstep.train.unit.as_mut())?;
-        let mut values = self.train_outputs.values.clone();
-        if let Some(rail) = &mut lockstep.rail {
-            self.rail_outputs.get(rail.unit.as_mut())?;
-            values.extend(&self.rail_outputs.values);
-        }
-        self.train.observe(0, &values);
+        self.train.observe(0, &self.train_outputs.values);
         self.train.record(time)?;
         self.vehicles.record(time)?;
-        match &mut self.wheels {
-            Some(wheels) => Ok(wheels.record(time)?),
-            None => Ok(()),
+        if let Some(wheels) = &mut self.wheels {
+            wheels.record(time)?;
         }
+        self.record_rails(time, &mut lockstep.rails)
+    }
+
+    /// Records the rails only.
+    ///
+    /// # Errors
+    /// When a unit does not give its outputs, or a file cannot be written.
+    pub fn record_rails(&mut self, time: f64, rails: &mut [Rail]) -> Result<(), ObserveError> {
+        self.rails.as_mut().map_or(Ok(()), |recorder| recorder.record(time, rails))
     }
 
     /// Completes the files.
@@ -152,25 +163,24 @@ impl Recorder {
     pub fn finish(self) -> Result<(), ObserveError> {
         self.train.finish()?;
         self.vehicles.finish()?;
-        match self.wheels {
-            Some(wheels) => Ok(wheels.finish()?),
-            None => Ok(()),
+        if let Some(wheels) = self.wheels {
+            wheels.finish()?;
         }
+        self.rails.map_or(Ok(()), RailRecorder::finish)
     }
 }
 
 /// The sides in the order of the exchange.
 const SERIES_SIDES: [Side; SIDES.len()] = [Side::Left, Side::Right];
 
-/// All Real outputs of a unit that do not belong to single vehicles, and their columns with the
-/// names put behind `prefix`.
-fn all_outputs(unit: &dyn Unit, prefix: &str) -> (Port, Vec<Column>) {
+/// All Real outputs of a unit that do not belong to single vehicles, and their columns.
+pub(crate) fn all_outputs(unit: &dyn Unit) -> (Port, Vec<Column>) {
     let outputs = unit.interface().real_outputs("vehicle[");
     let signals: Vec<_> = outputs.iter().map(|output| Signal::required(&output.name)).collect();
     let port = Port::connect(unit.interface(), &signals, "output", &Default::default());
     let column = |output: &&crate::interface::Variable| {
         let unit = output.unit.as_deref().unwrap_or("1");
-        Column::new(&format!("{prefix}{}", output.name), unit, &output.description).double()
+        Column::new(&output.name, unit, &output.description).double()
     };
     (port.unwrap_or_default(), outputs.iter().map(column).collect())
 }
@@ -180,7 +190,7 @@ fn wheel_rows(scenario: &Scenario, lockstep: &Lockstep) -> Vec<(usize, usize, us
     let mut rows = vec![];
     for place in scenario.recorded_vehicles() {
         let vehicle = lockstep.vehicles.get(place - 1);
-        let wheelsets = vehicle.map_or(0, |vehicle| wheelset_count(vehicle.unit.interface()));
+        let wheelsets = vehicle.map_or(0, Vehicle::wheelsets);
         for j in 0..wheelsets {
             rows.extend([(place - 1, j, 0), (place - 1, j, 1)]);
         }

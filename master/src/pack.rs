@@ -5,6 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::archive::{self, ArchiveError};
+use crate::check::TERMINALS;
+use crate::documentation::{EQUATIONS, INDEX, equations_page, with_link_to_equations};
 use crate::fmi::{self, ImportError, describe};
 
 /// Icon of the FMUs.
@@ -50,22 +52,48 @@ pub enum Binary<'a> {
 /// When files cannot be read or written, or the model refuses the resources.
 pub fn pack(binary: Binary<'_>, resources: &Path, target: &Path) -> Result<(), PackError> {
     let folder = tempfile::tempdir().map_err(io_error(target))?;
+    let base = folder.path().join("base");
     let library = match binary {
         Binary::Library(path) => path.to_owned(),
-        Binary::Fmu(path) => unpacked_binary(path, &folder.path().join("base"))?,
+        Binary::Fmu(path) => unpacked_binary(path, &base)?,
     };
     let description = describe(&library, resources)?;
 
     let content = folder.path().join("content");
-    let file = |name: PathBuf, bytes: &[u8]| write(&content.join(name), bytes);
-    file("modelDescription.xml".into(), description.xml.as_bytes())?;
-    file("documentation/index.html".into(), description.html.as_bytes())?;
-    file("documentation/licenses/license.txt".into(), LICENSE.as_bytes())?;
-    file("model.png".into(), MODEL_PNG)?;
+    let file = |name: &str, bytes: &[u8]| write(&content.join(name), bytes);
+    file("modelDescription.xml", description.xml.as_bytes())?;
+    match fs::read(base.join(EQUATIONS)) {
+        Ok(equations) => {
+            file(EQUATIONS, &equations)?;
+            file(INDEX, with_link_to_equations(&description.html).as_bytes())?;
+        }
+        Err(_) => file(INDEX, description.html.as_bytes())?,
+    }
+    if !description.terminals.is_empty() {
+        file(TERMINALS, description.terminals.as_bytes())?;
+    }
+    file("documentation/licenses/license.txt", LICENSE.as_bytes())?;
+    file("model.png", MODEL_PNG)?;
     let bytes = fs::read(&library).map_err(io_error(&library))?;
-    file(fmi::binary_path(&description.identifier), &bytes)?;
+    write(&content.join(fmi::binary_path(&description.identifier)), &bytes)?;
     copy_folder(resources, &content.join("resources"))?;
     Ok(archive::pack(&content, target)?)
+}
+
+/// Adds the equations of the model, a text in Markdown, to the documentation of an FMU. An FMU
+/// that is packed from this one has them too.
+///
+/// # Errors
+/// When the text or the FMU cannot be read or written.
+pub fn add_equations(fmu: &Path, markdown: &Path) -> Result<(), PackError> {
+    let text = fs::read_to_string(markdown).map_err(io_error(markdown))?;
+    let folder = tempfile::tempdir().map_err(io_error(fmu))?;
+    archive::unpack(fmu, folder.path())?;
+    let index = folder.path().join(INDEX);
+    let page = fs::read_to_string(&index).map_err(io_error(&index))?;
+    write(&index, with_link_to_equations(&page).as_bytes())?;
+    write(&folder.path().join(EQUATIONS), equations_page(&text).as_bytes())?;
+    Ok(archive::pack(folder.path(), fmu)?)
 }
 
 /// Unpacks an FMU and gives the path of its binary.

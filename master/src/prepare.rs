@@ -5,15 +5,16 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use controller::{Controller, Gains};
+
 use crate::fmi::{FmuInstance, Import, ImportError};
 use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::pack::{Binary, PackError, pack};
+use crate::parameters::set_parameter;
 use crate::port::{Port, Signal};
-use crate::rail::Rail;
 use crate::resources::{self, Origins};
-use crate::roles::{self, wheelset_count};
-use crate::scenario::{Heat, Rail as RailSide, Scenario};
-use crate::synchronisation::{Controller, Gains};
+use crate::roles::{self, RoleSignals, wheelset_count};
+use crate::scenario::{Scenario, Value, VehicleReplacement};
 use crate::times::StepTimes;
 use crate::unit::{Unit, UnitError};
 
@@ -65,6 +66,24 @@ pub enum PrepareError {
         /// Instances wanted.
         count: usize,
     },
+    /// A parameter of the rail's FMU is not what the scenario takes it for.
+    #[error("heat.parameters: \"{name}\" = {value}: {problem}")]
+    Parameter {
+        /// Its name.
+        name: String,
+        /// The scenario's value, as it stands there.
+        value: String,
+        /// What is wrong and what would be right.
+        problem: String,
+    },
+    /// What the wheels do cannot be kept for further trains.
+    #[error("{folder}: {source}; for heat.trains what the wheels do is kept on this disk")]
+    Tape {
+        /// Folder.
+        folder: String,
+        /// Reason.
+        source: std::io::Error,
+    },
 }
 
 /// Where FMUs come from and go to.
@@ -84,18 +103,22 @@ pub fn prepare(scenario: &Scenario, folders: &Folders) -> Result<Lockstep, Prepa
     let builder = Builder { scenario, folders };
     let train = builder.train()?;
     let vehicles = if scenario.train_alone { vec![] } else { builder.vehicles()? };
-    let rail = match &scenario.heat {
-        Some(heat) => Some(builder.rail(heat, &vehicles)?),
-        None => None,
+    let rails = match &scenario.heat {
+        Some(heat) => builder.rails(heat, &vehicles)?,
+        None => vec![],
     };
     let clock = Clock { start: 0.0, length: scenario.step_s };
     let times = StepTimes::default();
-    Ok(Lockstep { clock, scheme: scenario.scheme, train, vehicles, rail, times })
+    Ok(Lockstep { clock, scheme: scenario.scheme, train, vehicles, rails, times })
 }
 
-struct Builder<'a> {
-    scenario: &'a Scenario,
-    folders: &'a Folders,
+/// FMUs that replace single vehicles, by their place.
+type Replacements<'a> = HashMap<usize, (&'a VehicleReplacement, Arc<Import>)>;
+
+/// Makes units for a scenario.
+pub(crate) struct Builder<'a> {
+    pub(crate) scenario: &'a Scenario,
+    pub(crate) folders: &'a Folders,
 }
 
 impl Builder<'_> {
@@ -107,27 +130,38 @@ impl Builder<'_> {
             })?,
         };
         let signals = roles::longitudinal_signals(self.scenario.vehicle_count());
-        let outputs =
-            connect(&import, &signals.outputs, "output", &BTreeMap::new(), "longitudinal")?;
-        connect(&import, &signals.parameters, "parameter", &BTreeMap::new(), "longitudinal")?;
-        let unit = Box::new(FmuInstance::new(&import, "train")?);
-        Ok(Train { unit, outputs })
+        let ports = connect(&import, &signals, &BTreeMap::new(), "longitudinal")?;
+        let mut unit = self.instance(&import, "train")?;
+        self.set_train_parameters(unit.as_mut())?;
+        Ok(Train { unit, start: ports.parameters, outputs: ports.outputs })
+    }
+
+    /// What the scenario says of couplers and wind; an FMU that does not know them is refused.
+    fn set_train_parameters(&self, unit: &mut dyn Unit) -> Result<(), UnitError> {
+        if let Some(couplers) = self.scenario.train.couplers {
+            unit.set_integer_parameter("initial.couplers", couplers as i32)?;
+        }
+        if let Some(wind) = &self.scenario.train.wind {
+            unit.set_real_parameter("wind.speed", wind.speed_m_per_s)?;
+            unit.set_real_parameter("wind.direction", wind.direction_deg.to_radians())?;
+        }
+        Ok(())
     }
 
     fn vehicles(&self) -> Result<Vec<Vehicle>, PrepareError> {
         let mut of_type: HashMap<&str, Arc<Import>> = HashMap::new();
         let mut vehicles = vec![];
         let common = self.scenario.fmus.vehicle.as_deref().map(Import::open).transpose()?;
+        let replaced = self.replacements()?;
         if let Some(import) = &common {
-            check_instances(import, self.scenario.vehicle_count())?;
+            check_instances(import, self.scenario.vehicle_count() - replaced.len())?;
         }
         for group in &self.scenario.train.vehicles {
             for _ in 0..group.count {
                 let place = vehicles.len() + 1;
-                let replacement =
-                    self.scenario.fmus.vehicle_at.iter().find(|other| other.place == place);
+                let replacement = replaced.get(&place);
                 let import = match (replacement, &common, of_type.get(group.kind.as_str())) {
-                    (Some(other), _, _) => Import::open(&other.file)?,
+                    (Some((_, import)), _, _) => Arc::clone(import),
                     (None, Some(import), _) | (None, None, Some(import)) => Arc::clone(import),
                     (None, None, None) => {
                         let import = self.packed("vehicle", &group.kind, |folder| {
@@ -137,11 +171,34 @@ impl Builder<'_> {
                         import
                     }
                 };
-                let names = replacement.map(|other| &other.names).cloned().unwrap_or_default();
-                vehicles.push(self.vehicle(&import, place, &names)?);
+                let nothing = (&BTreeMap::new(), &BTreeMap::new());
+                let (names, parameters) = match (replacement, &common) {
+                    (Some((other, _)), _) => (&other.names, &other.parameters),
+                    (None, Some(_)) => (&self.scenario.fmus.vehicle_names, nothing.1),
+                    (None, None) => nothing,
+                };
+                vehicles.push(self.vehicle(&import, place, names, parameters)?);
             }
         }
         Ok(vehicles)
+    }
+
+    /// The FMUs for single vehicles by place; a file that stands at several is loaded once.
+    fn replacements(&self) -> Result<Replacements<'_>, PrepareError> {
+        let named = &self.scenario.fmus.vehicle_at;
+        let mut of_file: HashMap<&Path, Arc<Import>> = HashMap::new();
+        let mut replacements = HashMap::new();
+        for other in named {
+            let import = match of_file.get(other.file.as_path()) {
+                Some(import) => Arc::clone(import),
+                None => Import::open(&other.file)?,
+            };
+            let count = named.iter().filter(|same| same.file == other.file).count();
+            check_instances(&import, count)?;
+            of_file.insert(&other.file, Arc::clone(&import));
+            replacements.insert(other.place, (other, import));
+        }
+        Ok(replacements)
     }
 
     fn vehicle(
@@ -149,62 +206,40 @@ impl Builder<'_> {
         import: &Arc<Import>,
         place: usize,
         names: &BTreeMap<String, String>,
+        parameters: &BTreeMap<String, Value>,
     ) -> Result<Vehicle, PrepareError> {
-        let signals = roles::vehicle_signals(wheelset_count(import.interface()));
-        connect(import, &signals.parameters, "parameter", names, "vehicle")?;
-        let inputs = connect(import, &signals.inputs, "input", names, "vehicle")?;
-        let outputs = connect(import, &signals.outputs, "output", names, "vehicle")?;
-        let unit = Box::new(FmuInstance::new(import, &format!("vehicle[{place}]"))?);
-        let controller = Controller::new(Gains::from(&self.scenario.synchronisation));
-        Ok(Vehicle { unit, inputs, outputs, controller })
+        let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
+        let ports = connect(import, &signals, names, "vehicle")?;
+        let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
+        let mut constants = vec![];
+        for (name, value) in parameters {
+            constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
+        }
+        Ok(Vehicle {
+            unit,
+            constants,
+            start: ports.parameters,
+            inputs: ports.inputs,
+            outputs: ports.outputs,
+            controller: Controller::new(Gains::from(&self.scenario.synchronisation)),
+            controller_force: 0.0,
+        })
     }
 
-    fn rail(&self, heat: &Heat, vehicles: &[Vehicle]) -> Result<Rail, PrepareError> {
-        let wheelsets: Vec<usize> =
-            vehicles.iter().map(|vehicle| wheelset_count(vehicle.unit.interface())).collect();
-        let import = match &self.scenario.fmus.railheat {
-            Some(file) => Import::open(file)?,
-            None => self.packed("railheat", "rail", |folder| {
-                resources::write_railheat(heat, &wheelsets, folder)
-            })?,
-        };
-        let signals = roles::railheat_signals(&wheelsets);
-        let inputs = connect(&import, &signals.inputs, "input", &BTreeMap::new(), "railheat")?;
-        let mut unit: Box<dyn Unit> = Box::new(FmuInstance::new(&import, "rail")?);
-        self.set_rail_parameters(heat, unit.as_mut())?;
-        let every = heat.step_s.map_or(1, |step| (step / self.scenario.step_s).round() as u64);
-        let side = usize::from(heat.rail == RailSide::Right);
-        Ok(Rail::new(unit, inputs, wheelsets, side, every))
-    }
-
-    /// The scenario's values for parameters that the rail's FMU has; its extent is set so that
-    /// no wheel leaves it, unless the scenario says otherwise.
-    fn set_rail_parameters(&self, heat: &Heat, unit: &mut dyn Unit) -> Result<(), PrepareError> {
-        let extent = Extent::of(self.scenario, heat);
-        let field_file = self.folders.results.join("rail.zarr");
-        for (name, value) in [
-            ("track.begin", extent.begin),
-            ("track.length", extent.length),
-            ("field_interval", heat.field_interval_s),
-        ] {
-            if unit.interface().variable(name).is_some() {
-                unit.set_real_parameter(name, value)?;
-            }
-        }
-        let field_file = field_file.to_string_lossy();
-        for (name, value) in [("field_file", &*field_file), ("model", &heat.model)] {
-            if unit.interface().variable(name).is_some() {
-                unit.set_text_parameter(name, value)?;
-            }
-        }
-        for (name, &value) in &heat.parameters {
-            unit.set_real_parameter(name, value)?;
-        }
-        Ok(())
+    pub(crate) fn instance(
+        &self,
+        import: &Arc<Import>,
+        name: &str,
+    ) -> Result<Box<dyn Unit>, PrepareError> {
+        let instance = FmuInstance::new(import, name)?;
+        Ok(Box::new(match self.scenario.fmus.retry_discarded_steps {
+            true => instance.retrying(),
+            false => instance,
+        }))
     }
 
     /// Packs one of Hotfoot's own FMUs with the resources that `write` makes, and imports it.
-    fn packed(
+    pub(crate) fn packed(
         &self,
         base: &str,
         name: &str,
@@ -231,44 +266,39 @@ impl Builder<'_> {
     }
 }
 
-/// Part of the track whose rail is modelled, m.
-struct Extent {
-    begin: f64,
-    length: f64,
+/// The ports of an FMU in its role.
+pub(crate) struct Ports {
+    pub(crate) parameters: Port,
+    pub(crate) inputs: Port,
+    pub(crate) outputs: Port,
 }
 
-/// Longest vehicle that is thought of where the scenario leaves the extent of the rail open, m.
-const LONGEST_VEHICLE: f64 = 30.0;
-/// Largest mean acceleration that is thought of there, m/s².
-const LARGEST_ACCELERATION: f64 = 0.1;
-
-impl Extent {
-    /// What the scenario says, or from behind the tail to as far as the train may come.
-    fn of(scenario: &Scenario, heat: &Heat) -> Self {
-        let train = &scenario.train;
-        let head = train.leading_vehicle_position_m;
-        let behind = scenario.vehicle_count() as f64 * LONGEST_VEHICLE;
-        let duration = scenario.duration_s;
-        let ahead = LONGEST_VEHICLE
-            + train.speed_m_per_s * duration
-            + LARGEST_ACCELERATION * duration * duration / 2.0;
-        let begin = heat.begin_m.unwrap_or(head - behind);
-        Self { begin, length: heat.length_m.unwrap_or(head + ahead - begin) }
+/// Finds the signals of a role in an FMU, before anything is run; tells all that is missing.
+pub(crate) fn connect(
+    import: &Import,
+    signals: &RoleSignals,
+    names: &BTreeMap<String, String>,
+    role: &'static str,
+) -> Result<Ports, PrepareError> {
+    let mut problems = vec![];
+    let mut port = |signals: &[Signal], causality| {
+        Port::connect(import.interface(), signals, causality, names).unwrap_or_else(|missing| {
+            problems.extend(missing);
+            Port::default()
+        })
+    };
+    let ports = Ports {
+        parameters: port(&signals.parameters, "parameter"),
+        inputs: port(&signals.inputs, "input"),
+        outputs: port(&signals.outputs, "output"),
+    };
+    match problems.is_empty() {
+        true => Ok(ports),
+        false => Err(PrepareError::Unfit { file: import.file().to_owned(), role, problems }),
     }
 }
 
-fn connect(
-    import: &Import,
-    signals: &[Signal],
-    causality: &str,
-    names: &BTreeMap<String, String>,
-    role: &'static str,
-) -> Result<Port, PrepareError> {
-    Port::connect(import.interface(), signals, causality, names)
-        .map_err(|problems| PrepareError::Unfit { file: import.file().to_owned(), role, problems })
-}
-
-fn check_instances(import: &Import, count: usize) -> Result<(), PrepareError> {
+pub(crate) fn check_instances(import: &Import, count: usize) -> Result<(), PrepareError> {
     if import.interface().once_per_process && count > 1 {
         return Err(PrepareError::OncePerProcess { file: import.file().to_owned(), count });
     }

@@ -31,8 +31,26 @@ impl Progress {
         Self { bar, begin: now, updated: now, duration }
     }
 
+    /// Tells something that the user should know before the run is over.
+    pub fn tell(&self, sentence: &str) {
+        self.bar.suspend(|| eprintln!("note: {sentence}"));
+    }
+
     /// Shows the state after `done` steps at `time`, if it is due.
     pub fn show(&mut self, done: u64, time: f64, lockstep: &Lockstep) {
+        self.show_with(done, time, || {
+            let live = LiveFigures::of(lockstep);
+            format!(
+                ", {:.1} km/h, coupler {:.0} kN at {}",
+                live.speed * 3.6,
+                live.coupler_force / 1e3,
+                live.vehicle,
+            )
+        });
+    }
+
+    /// Shows the time after `done` steps and what `figures` says, if it is due.
+    pub fn show_with(&mut self, done: u64, time: f64, figures: impl FnOnce() -> String) {
         let now = Instant::now();
         if now - self.updated < UPDATE {
             return;
@@ -40,20 +58,26 @@ impl Progress {
         self.updated = now;
         self.bar.set_position(done);
         let real_time = time / (now - self.begin).as_secs_f64();
-        let live = LiveFigures::of(lockstep);
         self.bar.set_message(format!(
-            "{time:.1} of {:.0} s, {real_time:.2} x real time, {:.1} km/h, coupler {:.0} kN at {}",
+            "{time:.1} of {:.0} s, {real_time:.2} x real time{}",
             self.duration,
-            live.speed * 3.6,
-            live.coupler_force / 1e3,
-            live.vehicle,
+            figures(),
         ));
     }
 
-    /// Removes the bar and gives the wall time since the beginning.
-    pub fn finish(self) -> Duration {
+    /// Shows the time to which the rails have come alone, if it is due.
+    pub fn show_rails(&mut self, time: f64) {
+        let now = Instant::now();
+        if now - self.updated < UPDATE {
+            return;
+        }
+        self.updated = now;
+        self.bar.set_message(format!("the rails alone, {:.1} min", time / 60.0));
+    }
+
+    /// Removes the bar.
+    pub fn finish(self) {
         self.bar.finish_and_clear();
-        self.begin.elapsed()
     }
 }
 

@@ -9,16 +9,16 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use crate::pack::{PackError, copy_folder, write};
-use crate::scenario::{Heat, Scenario};
+use crate::scenario::{Heat, Scenario, Value};
 
 /// Names in a resources folder, and the files or folders that they are copies of.
 #[derive(Debug, Clone, Default)]
-pub struct Origins(Vec<(&'static str, PathBuf)>);
+pub struct Origins(Vec<(String, PathBuf)>);
 
 impl Origins {
     /// The message with the names of the originals in place of the copies in `folder`.
     pub fn rename(&self, message: &str, folder: &Path) -> String {
-        let copy = |name| folder.join(name).display().to_string();
+        let copy = |name: &str| folder.join(name).display().to_string();
         self.0.iter().fold(message.to_owned(), |text, (name, original)| {
             text.replace(&copy(name), &original.display().to_string())
         })
@@ -41,7 +41,7 @@ pub fn write_longitudinal(scenario: &Scenario, folder: &Path) -> Result<Origins,
         copy_file(file, &folder.join(file.file_name().unwrap_or_default()))?;
     }
     let mut origins = write_track_and_stock(scenario, folder)?;
-    origins.0.push(("driver.toml", scenario.driver.file.clone()));
+    origins.0.push(("driver.toml".to_owned(), scenario.driver.file.clone()));
     Ok(origins)
 }
 
@@ -58,11 +58,18 @@ pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<O
     write_track_and_stock(scenario, folder)
 }
 
-/// Writes the resources of the rail: what shapes its interface.
+/// Where the file that a parameter names lies in the resources, with its own name behind.
+pub fn parameter_file(parameter: &str, file: &Path) -> PathBuf {
+    Path::new("parameters").join(parameter).join(file.file_name().unwrap_or_default())
+}
+
+/// Writes the resources of the rail: what shapes its interface, the track, whose curves turn the
+/// rail in the sun, and the files that its parameters name.
 ///
 /// # Errors
-/// When a file cannot be written.
+/// When a file cannot be read or written.
 pub fn write_railheat(
+    scenario: &Scenario,
     heat: &Heat,
     wheelsets: &[usize],
     folder: &Path,
@@ -79,15 +86,28 @@ pub fn write_railheat(
         probe: &heat.probe,
     };
     write(&folder.join("railheat.toml"), to_toml(&file).as_bytes())?;
-    Ok(Origins::default())
+    copy_file(&scenario.track.file, &folder.join("track.toml"))?;
+    let mut origins = Origins(vec![("track.toml".to_owned(), scenario.track.file.clone())]);
+    for (name, value) in &heat.parameters {
+        if let Value::File(original) = value {
+            let copy = parameter_file(name, original);
+            copy_file(original, &folder.join(&copy))?;
+            origins.0.push((copy.display().to_string(), original.clone()));
+        }
+    }
+    Ok(origins)
 }
 
 fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, PackError> {
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
+    // A track file that cannot be read is answered by the models, with all that is wrong in it.
+    if let Ok(Some(irregularities)) = track::irregularity::file_beside(&scenario.track.file) {
+        copy_file(&irregularities, &folder.join(irregularities.file_name().unwrap_or_default()))?;
+    }
     copy_folder(&scenario.stock, &folder.join("stock"))?;
     Ok(Origins(vec![
-        ("track.toml", scenario.track.file.clone()),
-        ("stock", scenario.stock.clone()),
+        ("track.toml".to_owned(), scenario.track.file.clone()),
+        ("stock".to_owned(), scenario.stock.clone()),
     ]))
 }
 

@@ -4,10 +4,31 @@
 use std::collections::BTreeMap;
 
 use crate::interface::Interface;
-use crate::port::{Port, Signal};
+use crate::port::{Port, Signal, SignalUnit};
+use crate::si::Dimension;
+
+/// Units of the exchange.
+mod unit {
+    use super::{Dimension, SignalUnit};
+
+    const fn of(symbol: &'static str, kg: i32, m: i32, s: i32) -> SignalUnit {
+        SignalUnit { symbol, dimension: Dimension::mechanical(kg, m, s) }
+    }
+
+    pub const ONE: SignalUnit = of("1", 0, 0, 0);
+    pub const METRE: SignalUnit = of("m", 0, 1, 0);
+    pub const PER_METRE: SignalUnit = of("1/m", 0, -1, 0);
+    pub const METRE_PER_SECOND: SignalUnit = of("m/s", 0, 1, -1);
+    pub const METRE_PER_SECOND_SQUARED: SignalUnit = of("m/s2", 0, 1, -2);
+    pub const NEWTON: SignalUnit = of("N", 1, 1, -2);
+    pub const WATT: SignalUnit = of("W", 1, 2, -3);
+}
 
 /// Outputs of the train for each vehicle, `vehicle[i].…`.
 pub mod train {
+    use super::SignalUnit;
+    use super::unit::{METRE, METRE_PER_SECOND, NEWTON, WATT};
+
     /// Places of a vehicle's outputs in its block.
     pub const POSITION: usize = 0;
     /// Speed.
@@ -22,8 +43,10 @@ pub mod train {
     pub const TRACTION: usize = 5;
     /// Friction brake at the treads.
     pub const BRAKE: usize = 6;
+    /// Heat of the friction brake into each wheel.
+    pub const WHEEL_BRAKE_POWER: usize = 7;
     /// Names after `vehicle[i].`; the first four are required.
-    pub const NAMES: [&str; 7] = [
+    pub const NAMES: [&str; 8] = [
         "position",
         "velocity",
         "coupler.front.force",
@@ -31,13 +54,20 @@ pub mod train {
         "resistance.force",
         "traction.force",
         "brake.force",
+        "wheel.brake_power",
     ];
     /// How many of the names are required.
     pub const REQUIRED: usize = 4;
+    /// Their units.
+    pub(super) const UNITS: [SignalUnit; NAMES.len()] =
+        [METRE, METRE_PER_SECOND, NEWTON, NEWTON, NEWTON, NEWTON, NEWTON, WATT];
 }
 
 /// Inputs of a vehicle.
 pub mod vehicle_input {
+    use super::SignalUnit;
+    use super::unit::NEWTON;
+
     /// Force of the front coupler, tension positive.
     pub const COUPLER_FRONT: usize = 0;
     /// Force of the rear coupler, tension positive.
@@ -61,10 +91,17 @@ pub mod vehicle_input {
     ];
     /// How many of the names are required.
     pub const REQUIRED: usize = 3;
+    /// Their units: all are forces.
+    pub(super) const UNITS: [SignalUnit; NAMES.len()] = [NEWTON; NAMES.len()];
 }
 
 /// Outputs of a vehicle: those of the vehicle, then a block for each wheelset.
 pub mod vehicle_output {
+    use super::SignalUnit;
+    use super::unit::{
+        METRE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, NEWTON, ONE, PER_METRE, WATT,
+    };
+
     /// Chainage of the vehicle's middle.
     pub const POSITION: usize = 0;
     /// Speed.
@@ -73,6 +110,9 @@ pub mod vehicle_output {
     pub const NAMES: [&str; 3] = ["position", "velocity", "acceleration"];
     /// How many of the names are required.
     pub const REQUIRED: usize = 2;
+    /// Their units.
+    pub(super) const UNITS: [SignalUnit; NAMES.len()] =
+        [METRE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED];
 
     /// Names of a wheel's outputs after `wheelset[j].left.`, all optional.
     pub const WHEEL_NAMES: [&str; 10] = [
@@ -87,6 +127,9 @@ pub mod vehicle_output {
         "contact.b",
         "contact.lateral_position",
     ];
+    /// Their units.
+    pub(super) const WHEEL_UNITS: [SignalUnit; WHEEL_NAMES.len()] =
+        [ONE, ONE, PER_METRE, NEWTON, NEWTON, NEWTON, WATT, METRE, METRE, METRE];
     /// Place of a wheel's longitudinal creep force in its block.
     pub const FORCE_LONGITUDINAL: usize = 3;
     /// Place of a wheel's friction power in its block.
@@ -110,12 +153,18 @@ pub const SIDES: [&str; 2] = ["left", "right"];
 
 /// Inputs of the rail for each wheelset, `vehicle[i].wheelset[j].…`.
 pub mod rail_input {
+    use super::SignalUnit;
+    use super::unit::{METRE, METRE_PER_SECOND, NEWTON, ONE, WATT};
+
     /// Place of the wheelset's chainage in its block; only it and the speed are required.
     pub const POSITION: usize = 0;
     /// Place of the wheelset's speed.
     pub const SPEED: usize = 1;
-    /// Names after `vehicle[i].wheelset[j].`; from the third on they are those of the wheel.
-    pub const NAMES: [&str; 8] = [
+    /// Place of the heat that the friction brake puts into the wheel, which the train tells.
+    pub const BRAKE_POWER: usize = 8;
+    /// Names after `vehicle[i].wheelset[j].`; from the third to the last but one they are those of
+    /// the wheel.
+    pub const NAMES: [&str; 9] = [
         "position",
         "speed",
         "creepage.longitudinal",
@@ -124,11 +173,15 @@ pub mod rail_input {
         "contact.a",
         "contact.b",
         "contact.lateral_position",
+        "brake_power",
     ];
     /// Places in a wheel's output block from which the third and later inputs are taken.
     pub const FROM_WHEEL: [usize; 6] = [0, 5, 6, 7, 8, 9];
     /// How many of the names are required.
     pub const REQUIRED: usize = 2;
+    /// Their units.
+    pub(super) const UNITS: [SignalUnit; NAMES.len()] =
+        [METRE, METRE_PER_SECOND, ONE, NEWTON, WATT, METRE, METRE, METRE, WATT];
 }
 
 /// What an FMU does in a run.
@@ -153,18 +206,26 @@ pub struct RoleSignals {
     pub outputs: Vec<Signal>,
 }
 
-/// Names under a prefix, the first `required` of them required.
-fn signals(prefix: &str, names: &[&str], required: usize) -> impl Iterator<Item = Signal> {
-    names
-        .iter()
-        .enumerate()
-        .map(move |(i, name)| Signal { name: format!("{prefix}{name}"), required: i < required })
+/// Names under a prefix with their units, the first `required` of them required.
+fn signals(
+    prefix: &str,
+    names: &[&str],
+    units: &[SignalUnit],
+    required: usize,
+) -> impl Iterator<Item = Signal> {
+    names.iter().zip(units).enumerate().map(move |(i, (name, unit))| Signal {
+        name: format!("{prefix}{name}"),
+        required: i < required,
+        unit: Some(*unit),
+    })
 }
 
 /// Signals of a longitudinal FMU for a train of `vehicles`.
 pub fn longitudinal_signals(vehicles: usize) -> RoleSignals {
-    let block =
-        |i| signals(&format!("vehicle[{i}]."), &train::NAMES, train::REQUIRED).collect::<Vec<_>>();
+    let block = |i| {
+        let prefix = format!("vehicle[{i}].");
+        signals(&prefix, &train::NAMES, &train::UNITS, train::REQUIRED).collect::<Vec<_>>()
+    };
     RoleSignals {
         parameters: start_parameters(),
         inputs: vec![],
@@ -174,18 +235,22 @@ pub fn longitudinal_signals(vehicles: usize) -> RoleSignals {
 
 /// Signals of a vehicle FMU with so many wheelsets.
 pub fn vehicle_signals(wheelsets: usize) -> RoleSignals {
-    let mut outputs: Vec<Signal> =
-        signals("", &vehicle_output::NAMES, vehicle_output::REQUIRED).collect();
+    use vehicle_output::{NAMES, REQUIRED, UNITS, WHEEL_NAMES, WHEEL_UNITS};
+    let mut outputs: Vec<Signal> = signals("", &NAMES, &UNITS, REQUIRED).collect();
     for j in 1..=wheelsets {
-        outputs.push(Signal::optional(format!("wheelset[{j}].position")));
+        let position = Signal::optional(format!("wheelset[{j}].position"));
+        outputs.push(position.in_unit(unit::METRE));
         for side in SIDES {
             let prefix = format!("wheelset[{j}].{side}.");
-            outputs.extend(signals(&prefix, &vehicle_output::WHEEL_NAMES, 0));
+            outputs.extend(signals(&prefix, &WHEEL_NAMES, &WHEEL_UNITS, 0));
         }
     }
     RoleSignals {
         parameters: start_parameters(),
-        inputs: signals("", &vehicle_input::NAMES, vehicle_input::REQUIRED).collect(),
+        inputs: {
+            use vehicle_input::{NAMES, REQUIRED, UNITS};
+            signals("", &NAMES, &UNITS, REQUIRED).collect()
+        },
         outputs,
     }
 }
@@ -196,21 +261,30 @@ pub fn railheat_signals(wheelsets: &[usize]) -> RoleSignals {
     for (i, &count) in wheelsets.iter().enumerate() {
         for j in 1..=count {
             let prefix = format!("vehicle[{}].wheelset[{j}].", i + 1);
-            inputs.extend(signals(&prefix, &rail_input::NAMES, rail_input::REQUIRED));
+            inputs.extend(signals(
+                &prefix,
+                &rail_input::NAMES,
+                &rail_input::UNITS,
+                rail_input::REQUIRED,
+            ));
         }
     }
     RoleSignals { parameters: vec![], inputs, outputs: vec![] }
 }
 
+/// Parameters of a start: position and speed.
 fn start_parameters() -> Vec<Signal> {
-    vec![Signal::required("initial.position"), Signal::required("initial.velocity")]
+    vec![
+        Signal::required("initial.position").in_unit(unit::METRE),
+        Signal::required("initial.velocity").in_unit(unit::METRE_PER_SECOND),
+    ]
 }
 
 /// What an interface lacks to fill a role, a sentence each.
 pub fn missing(interface: &Interface, role: Role) -> Vec<String> {
     let wanted = match role {
         Role::Longitudinal => longitudinal_signals(interface.count("vehicle", "position").max(1)),
-        Role::Vehicle => vehicle_signals(wheelset_count(interface)),
+        Role::Vehicle => vehicle_signals(wheelset_count(interface, &BTreeMap::new())),
         Role::Railheat => railheat_signals(&rail_wheelsets(interface)),
     };
     let groups =
@@ -221,9 +295,13 @@ pub fn missing(interface: &Interface, role: Role) -> Vec<String> {
     groups.into_iter().flat_map(connect).collect()
 }
 
-/// Number of wheelsets of a vehicle FMU.
-pub fn wheelset_count(interface: &Interface) -> usize {
-    interface.count("wheelset", "position")
+/// Number of wheelsets of a vehicle FMU with its `names` for our signals.
+pub fn wheelset_count(interface: &Interface, names: &BTreeMap<String, String>) -> usize {
+    let has = |j: &usize| {
+        let name = format!("wheelset[{j}].position");
+        interface.variable(names.get(&name).unwrap_or(&name)).is_some()
+    };
+    (1..).take_while(has).count()
 }
 
 /// Number of wheelsets of each vehicle of a rail-heat FMU; at least one vehicle with one.

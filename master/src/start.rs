@@ -3,41 +3,36 @@
 //! The train is initialised first; its vehicles' places, speeds and forces are start values and
 //! inputs of the vehicles, and their wheels' outputs are inputs of the rail.
 
-use crate::lockstep::{Lockstep, Train, Vehicle};
+use controller::Motion;
+
+use crate::lockstep::{Lockstep, Train, Vehicle, in_train};
 use crate::parallel;
+use crate::port::Port;
 use crate::rail::Rail;
-use crate::roles::train;
 use crate::unit::{Unit, UnitError};
 
-/// Start position and speed of the train.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StartValues {
-    /// Chainage of the leading vehicle's middle, m.
-    pub position: f64,
-    /// Speed, m/s.
-    pub velocity: f64,
-}
-
 impl Lockstep {
-    /// Initialises all units for a run until `stop`, s.
+    /// Initialises all units for a run until `stop`, the rails until `rails_stop`, s, with the
+    /// leading vehicle's middle and speed as in `values`.
     ///
     /// # Errors
     /// When a unit cannot be initialised.
-    pub fn initialize(&mut self, values: StartValues, stop: f64) -> Result<(), UnitError> {
+    pub fn initialize(
+        &mut self,
+        values: Motion,
+        stop: f64,
+        rails_stop: f64,
+    ) -> Result<(), UnitError> {
         let start = self.clock.start;
         self.train.initialize(values, start, stop)?;
         self.pass_forces();
-        let places: Vec<StartValues> = self
-            .train
-            .blocks()
-            .map(|b| StartValues { position: b[train::POSITION], velocity: b[train::VELOCITY] })
-            .collect();
+        let places: Vec<Motion> = self.train.blocks().map(in_train).collect();
         let mut vehicles: Vec<_> = self.vehicles.iter_mut().zip(places).collect();
         parallel::for_each(&mut vehicles, |(vehicle, place)| {
             vehicle.initialize(*place, start, stop)
         })?;
         self.pass_wheels();
-        self.rail.as_mut().map_or(Ok(()), |rail| rail.initialize(start, stop))
+        parallel::for_each(&mut self.rails, |rail| rail.initialize(start, rails_stop))
     }
 
     /// Ends the run of all units; every one is told, the first error is given.
@@ -45,44 +40,52 @@ impl Lockstep {
     /// # Errors
     /// When a unit could not complete what it writes.
     pub fn terminate(&mut self) -> Result<(), UnitError> {
-        let units = std::iter::once(&mut self.train.unit)
-            .chain(self.vehicles.iter_mut().map(|vehicle| &mut vehicle.unit))
-            .chain(self.rail.iter_mut().map(|rail| &mut rail.unit));
-        let ends: Vec<_> = units.map(|unit| unit.terminate()).collect();
+        let ends: Vec<_> = self.units_mut().map(|unit| unit.terminate()).collect();
         ends.into_iter().collect()
     }
 }
 
 impl Train {
-    fn initialize(&mut self, values: StartValues, start: f64, stop: f64) -> Result<(), UnitError> {
-        set_start_values(self.unit.as_mut(), values)?;
+    fn initialize(&mut self, values: Motion, start: f64, stop: f64) -> Result<(), UnitError> {
+        set_start_values(&mut self.start, self.unit.as_mut(), values)?;
         self.unit.enter_initialization(start, stop)?;
-        self.outputs.get(self.unit.as_mut())?;
-        self.unit.exit_initialization()
+        self.unit.exit_initialization()?;
+        // Some FMUs compute their outputs only when the initialisation ends.
+        self.outputs.get(self.unit.as_mut())
     }
 }
 
 impl Vehicle {
-    fn initialize(&mut self, values: StartValues, start: f64, stop: f64) -> Result<(), UnitError> {
-        set_start_values(self.unit.as_mut(), values)?;
+    /// `place` is the vehicle's place and speed in the train.
+    fn initialize(&mut self, place: Motion, start: f64, stop: f64) -> Result<(), UnitError> {
+        set_start_values(&mut self.start, self.unit.as_mut(), place)?;
         self.unit.enter_initialization(start, stop)?;
+        set_constants(&self.constants, self.unit.as_mut())?;
         self.inputs.set(self.unit.as_mut())?;
+        self.unit.exit_initialization()?;
         self.outputs.get(self.unit.as_mut())?;
-        self.unit.exit_initialization()
+        self.controller_force = self.controller.force(self.motion(), place);
+        Ok(())
     }
 }
 
 impl Rail {
     fn initialize(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {
         self.unit.enter_initialization(start, stop)?;
+        set_constants(&self.constants, self.unit.as_mut())?;
         self.form_means();
         self.inputs.set(self.unit.as_mut())?;
         self.unit.exit_initialization()
     }
 }
 
+/// Sets the inputs that keep a value throughout.
+fn set_constants(constants: &[(u32, f64)], unit: &mut dyn Unit) -> Result<(), UnitError> {
+    constants.iter().try_for_each(|&(reference, value)| unit.set_reals(&[reference], &[value]))
+}
+
 /// Sets the two start parameters that the train and the vehicles share.
-fn set_start_values(unit: &mut dyn Unit, values: StartValues) -> Result<(), UnitError> {
-    unit.set_real_parameter("initial.position", values.position)?;
-    unit.set_real_parameter("initial.velocity", values.velocity)
+fn set_start_values(port: &mut Port, unit: &mut dyn Unit, start: Motion) -> Result<(), UnitError> {
+    port.values.copy_from_slice(&[start.position, start.velocity]);
+    port.set(unit)
 }

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-/// Wall time of the parts of all steps so far.
+/// Wall time of the parts of all steps so far, and of what follows.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepTimes {
     /// Steps of the train.
@@ -15,6 +15,8 @@ pub struct StepTimes {
     pub exchange: Duration,
     /// Recording.
     pub recording: Duration,
+    /// The rails after the run, with recording.
+    pub rails_after: Duration,
 }
 
 /// Measures laps.

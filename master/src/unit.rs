@@ -30,6 +30,12 @@ fn log_text(message: &Option<Box<str>>) -> String {
 /// One co-simulation unit, in the order of calls of FMI 2.0 §4.2.4: parameters are set, then
 /// `enter_initialization`, inputs set and outputs got, `exit_initialization`, then steps.
 pub trait Unit: Send {
+    /// Name of the instance, such as `vehicle[17]`.
+    fn name(&self) -> &str;
+
+    /// The file that it came from.
+    fn source_file(&self) -> &str;
+
     /// The variables of the unit.
     fn interface(&self) -> &Interface;
 
@@ -38,6 +44,36 @@ pub trait Unit: Send {
     /// # Errors
     /// When the unit refuses.
     fn set_text(&mut self, reference: u32, value: &str) -> Result<(), UnitError>;
+
+    /// Gets a String variable.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_text(&mut self, reference: u32) -> Result<String, UnitError>;
+
+    /// Sets Integer variables by value reference.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_integers(&mut self, references: &[u32], values: &[i32]) -> Result<(), UnitError>;
+
+    /// Gets Integer variables by value reference into `values`.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_integers(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), UnitError>;
+
+    /// Sets Boolean variables, as 0 or 1, by value reference.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn set_booleans(&mut self, references: &[u32], values: &[i32]) -> Result<(), UnitError>;
+
+    /// Gets Boolean variables, as 0 or 1, by value reference into `values`.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    fn get_booleans(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), UnitError>;
 
     /// Sets Real variables by value reference.
     ///
@@ -91,6 +127,15 @@ impl dyn Unit + '_ {
         self.set_reals(&[reference], &[value])
     }
 
+    /// Sets an Integer parameter by its name.
+    ///
+    /// # Errors
+    /// When the unit has no such variable or refuses the value.
+    pub fn set_integer_parameter(&mut self, name: &str, value: i32) -> Result<(), UnitError> {
+        let reference = self.reference(name)?;
+        self.set_integers(&[reference], &[value])
+    }
+
     /// Sets a String parameter by its name.
     ///
     /// # Errors
@@ -101,10 +146,10 @@ impl dyn Unit + '_ {
     }
 
     fn reference(&self, name: &str) -> Result<u32, UnitError> {
-        let interface = self.interface();
-        interface.variable(name).map(|variable| variable.reference).ok_or_else(|| UnitError {
-            instance: interface.model_name.as_str().into(),
-            source_file: interface.identifier.as_str().into(),
+        let variable = self.interface().variable(name);
+        variable.map(|variable| variable.reference).ok_or_else(|| UnitError {
+            instance: self.name().into(),
+            source_file: self.source_file().into(),
             action: format!("setting '{name}', which is no variable of it,").into(),
             status: None,
             last_message: None,

@@ -1,63 +1,60 @@
-"""What the FMPy tests share: the built program and FMUs, and a run of a short train."""
+"""What the tests with other tools share: the built program and FMUs, and runs of trains."""
 
+import os
 import subprocess
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).parents[2]
-TARGET = ROOT / "target"
-FMUS = {name: TARGET / "fmus" / f"{name}.fmu" for name in ("vehicle", "longitudinal", "railheat")}
+TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+MODELS = ("vehicle", "longitudinal", "railheat", "synchronisation")
+FMUS = {name: TARGET / "fmus" / f"{name}.fmu" for name in MODELS}
+HOTFOOT = TARGET / "release" / "hotfoot"
 
-SCENARIO = f"""
-title = "Five vehicles for FMPy"
-duration_s = 2.0
-step_s = 0.001
-stock = "{ROOT / 'stock'}"
+# The short train of the Rust tests and of these.
+FIVE_VEHICLES = ROOT / "tests" / "five-vehicles"
+TYPES = ["locomotive-coco-134t"] + 4 * ["wagon-coco-134t-unpowered"]
 
-[train]
-speed_m_per_s = 16.67
-[[train.vehicles]]
-type = "locomotive-coco-134t"
-count = 1
-[[train.vehicles]]
-type = "wagon-coco-134t-unpowered"
-count = 4
-
-[track]
-file = "track.toml"
-[driver]
-file = "driver.toml"
-[heat]
-begin_m = -120.0
-length_m = 600.0
-field_interval_s = 0.5
-
+# Dense records of all wheels, for comparisons.
+RECORD = """
 [record]
 interval_s = 0.01
 wheels_of = [1, 2, 3, 4, 5]
 """
 
-TRACK = """
-start_m = 20.0
-alignment = [
-    { length_m = 50.0, transition = true },
-    { length_m = 600.0, radius_m = 800.0 },
-    { length_m = 50.0, transition = true },
-]
-"""
 
-DRIVER = "[[command]]\nfrom_s = 0.0\nnotch = 7.0\n"
+def hotfoot(*arguments, folder=ROOT):
+    """Runs the program, which must succeed, and gives what it prints."""
+    command = [HOTFOOT, *map(str, arguments)]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def five_vehicles(folder, changes=(), further=RECORD):
+    """Writes the scenario of five vehicles into a folder, with changed lines and further ones."""
+    for name in ("track.toml", "driver.toml"):
+        (folder / name).write_text((FIVE_VEHICLES / name).read_text())
+    text = (FIVE_VEHICLES / "scenario.toml").read_text()
+    changes = [('"../../stock"', f'"{ROOT / "stock"}"'), *changes]
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new)
+    file = folder / "scenario.toml"
+    file.write_text(text + further)
+    return file
+
+
+def run_five_vehicles(folder, changes=(), further=RECORD):
+    """Runs the five vehicles with `hotfoot run` and gives the results folder."""
+    scenario = five_vehicles(folder, changes, further)
+    results = folder / "results"
+    hotfoot("run", scenario, "--quiet", "--results", results)
+    return results
 
 
 @pytest.fixture(scope="session")
 def run(tmp_path_factory):
     """Results folder of a run of five vehicles by `hotfoot run`."""
-    folder = tmp_path_factory.mktemp("five-vehicles")
-    for name, text in [("scenario", SCENARIO), ("track", TRACK), ("driver", DRIVER)]:
-        (folder / f"{name}.toml").write_text(text)
-    results = folder / "results"
-    program = TARGET / "release" / "hotfoot"
-    arguments = ["run", "scenario.toml", "--quiet", "--results", str(results)]
-    subprocess.run([program, *arguments], cwd=folder, check=True)
-    return results
+    return run_five_vehicles(tmp_path_factory.mktemp("five-vehicles"))

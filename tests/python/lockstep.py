@@ -1,12 +1,15 @@
-"""Hotfoot's step loop with FMPy: a template for masters of your own.
+"""Hotfoot's whole step loop with FMPy: a template for masters of your own.
 
 The FMUs of a run lie in its results folder: `train.fmu` for the whole train, one FMU for each
-type of vehicle. This is the sequential scheme of docs/user-guide: the train steps first, then
-each vehicle with the train's new forces and a synchronisation force from the errors before.
+type of vehicle, and `rail.fmu`. This is the sequential scheme of docs/user-guide: the train steps
+first, then each vehicle with the train's new forces and a synchronisation force from the errors
+before, then the rail with what the wheels did.
 """
 
+from ctypes import c_double, c_uint
 from pathlib import Path
 
+import numpy as np
 from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Slave
 
@@ -23,6 +26,16 @@ FORCES = [
     "brake.force",
 ]
 
+# What a wheel tells the rail; both use the same names.
+WHEEL = [
+    "creepage.longitudinal",
+    "force.normal",
+    "friction_power",
+    "contact.a",
+    "contact.b",
+    "contact.lateral_position",
+]
+
 
 class Fmu:
     """An FMU file, unpacked once."""
@@ -32,12 +45,13 @@ class Fmu:
         self.description = read_model_description(str(path))
         self.references = {v.name: v.valueReference for v in self.description.modelVariables}
 
-    def instantiate(self, name):
-        return Instance(self, name)
+    def wheelsets(self):
+        """Number of wheelsets of a vehicle."""
+        return sum(name.startswith("wheelset[") and name.endswith("].position") for name in self.references)
 
 
 class Instance:
-    """An instance that is set and read by variable names."""
+    """An instance whose variables are set and read by name."""
 
     def __init__(self, fmu, name):
         self.fmu = fmu
@@ -49,13 +63,13 @@ class Instance:
         )
         self.slave.instantiate()
 
-    def set(self, values):
-        references = [self.fmu.references[name] for name in values]
-        self.slave.setReal(references, list(values.values()))
-
-    def get(self, names):
-        references = [self.fmu.references[name] for name in names]
-        return dict(zip(names, self.slave.getReal(references)))
+    def parametrise(self, parameters):
+        for name, value in parameters.items():
+            reference = [self.fmu.references[name]]
+            if isinstance(value, str):
+                self.slave.setString(reference, [value])
+            else:
+                self.slave.setReal(reference, [value])
 
     def enter_initialization(self, stop_time):
         self.slave.setupExperiment(startTime=0.0, stopTime=stop_time)
@@ -72,58 +86,165 @@ class Instance:
         self.slave.freeInstance()
 
 
-def train_names(vehicle):
-    """The train's outputs for a vehicle, counted from one."""
-    return [f"vehicle[{vehicle}].{name}" for name in ["position", "velocity", *FORCES]]
+class Port:
+    """Real variables that are set or got together, with their values as an array; one call of
+    the FMU for all of them."""
+
+    def __init__(self, instance, names):
+        self.slave = instance.slave
+        references = [instance.fmu.references[name] for name in names]
+        self.count = len(references)
+        self.references = (c_uint * self.count)(*references)
+        self.buffer = (c_double * self.count)()
+        self.values = np.frombuffer(self.buffer)
+
+    def set(self):
+        self.slave.fmi2SetReal(self.slave.component, self.references, self.count, self.buffer)
+
+    def get(self):
+        self.slave.fmi2GetReal(self.slave.component, self.references, self.count, self.buffer)
 
 
-def run(folder, types, velocity, steps, length, outputs, every):
-    """Runs the train whose vehicles have these types; yields the wanted outputs of each vehicle
-    and the train's at the start and after every so many steps, as (time, vehicles, train)."""
+class Train:
+    """The train's instance; `outputs` has a row for each vehicle: position, velocity, forces."""
+
+    def __init__(self, fmu, vehicles):
+        self.instance = Instance(fmu, "train")
+        names = ["position", "velocity", *FORCES]
+        names = [f"vehicle[{i}].{name}" for i in range(1, vehicles + 1) for name in names]
+        self.port = Port(self.instance, names)
+        self.outputs = self.port.values.reshape(vehicles, -1)
+
+    def initialize(self, velocity, stop_time):
+        self.instance.parametrise({"initial.position": 0.0, "initial.velocity": velocity})
+        self.instance.enter_initialization(stop_time)
+        self.port.get()
+        self.instance.exit_initialization()
+
+    def step(self, time, length):
+        self.instance.step(time, length)
+        self.port.get()
+
+
+class Vehicle:
+    """A vehicle's instance with its controller.
+
+    `outputs` begins with position and velocity; then each wheelset has its position and what its
+    left wheel tells the rail; then come the further outputs that are wanted.
+    """
+
+    def __init__(self, fmu, name, wanted):
+        self.instance = Instance(fmu, name)
+        self.inputs = Port(self.instance, [*FORCES, "sync.force"])
+        names = ["position", "velocity"]
+        for j in range(1, fmu.wheelsets() + 1):
+            names += [f"wheelset[{j}].position", *(f"wheelset[{j}].left.{name}" for name in WHEEL)]
+        self.port = Port(self.instance, names + wanted)
+        self.outputs = self.port.values
+        self.wheelsets = self.outputs[2 : len(names)].reshape(-1, 1 + len(WHEEL))
+        self.wanted = self.outputs[len(names) :]
+
+    def initialize(self, in_train, stop_time):
+        start = {"initial.position": in_train[0], "initial.velocity": in_train[1]}
+        self.instance.parametrise(start)
+        self.instance.enter_initialization(stop_time)
+        self.inputs.values[:5] = in_train[2:]
+        self.inputs.set()
+        self.port.get()
+        self.instance.exit_initialization()
+
+    def synchronise(self, in_train):
+        """Forms the synchronisation force from the errors at one instant."""
+        error = self.outputs[0] - in_train[0]
+        error_rate = self.outputs[1] - in_train[1]
+        self.inputs.values[5] = -(KP * error + KD * error_rate)
+
+    def step(self, in_train, time, length):
+        self.inputs.values[:5] = in_train[2:]
+        self.inputs.set()
+        self.instance.step(time, length)
+        self.port.get()
+
+
+class Rail:
+    """The rail's instance; `inputs` has a row for each wheelset of the train."""
+
+    def __init__(self, fmu, vehicles, parameters, wanted):
+        self.instance = Instance(fmu, "rail")
+        self.instance.parametrise(parameters)
+        names = ["position", "speed", *WHEEL]
+        names = [
+            f"vehicle[{i}].wheelset[{j}].{name}"
+            for i, vehicle in enumerate(vehicles, 1)
+            for j in range(1, len(vehicle.wheelsets) + 1)
+            for name in names
+        ]
+        self.port = Port(self.instance, names)
+        self.inputs = self.port.values.reshape(-1, 2 + len(WHEEL))
+        self.outputs = Port(self.instance, wanted)
+
+    def take(self, vehicles):
+        """Takes what the wheels did; with one step of the rail for each of the exchange, there
+        is nothing to be averaged."""
+        at = 0
+        for vehicle in vehicles:
+            rows = self.inputs[at : at + len(vehicle.wheelsets)]
+            rows[:, 0] = vehicle.wheelsets[:, 0]
+            rows[:, 1] = vehicle.outputs[1]
+            rows[:, 2:] = vehicle.wheelsets[:, 1:]
+            at += len(vehicle.wheelsets)
+        self.port.set()
+
+    def initialize(self, vehicles, stop_time):
+        self.instance.enter_initialization(stop_time)
+        self.take(vehicles)
+        self.instance.exit_initialization()
+
+    def step(self, vehicles, time, length):
+        self.take(vehicles)
+        self.instance.step(time, length)
+
+
+def run(folder, types, velocity, steps, length, every, vehicle_outputs=(), rail=None):
+    """Runs the train whose vehicles have these types, with the FMUs in `folder`.
+
+    Yields after every so many steps, and at the start: the time; the train's outputs, a row for
+    each vehicle; position, velocity and the wanted outputs of each vehicle; the rail's wanted
+    outputs. `rail` is None, or the rail's parameters and wanted outputs.
+    """
     folder = Path(folder)
     fmus = {kind: Fmu(folder / f"{kind}.fmu") for kind in dict.fromkeys(types)}
-    train = Fmu(folder / "train.fmu").instantiate("train")
-    vehicles = [fmus[kind].instantiate(f"vehicle[{i}]") for i, kind in enumerate(types, 1)]
-    names = [name for i in range(1, len(types) + 1) for name in train_names(i)]
-    wanted = list(dict.fromkeys(["position", "velocity", *outputs]))
-    stop = steps * length
+    train = Train(Fmu(folder / "train.fmu"), len(types))
+    wanted = list(vehicle_outputs)
+    vehicles = [Vehicle(fmus[kind], f"vehicle[{i}]", wanted) for i, kind in enumerate(types, 1)]
+    rail = Rail(Fmu(folder / "rail.fmu"), vehicles, *rail) if rail else None
+    stop_time = steps * length
 
-    def forces(i, of_train):
-        return {name: of_train[f"vehicle[{i}].{name}"] for name in FORCES}
+    def state(k):
+        if rail:
+            rail.outputs.get()
+        of_vehicles = [np.concatenate([v.outputs[:2], v.wanted]) for v in vehicles]
+        of_rail = rail.outputs.values.copy() if rail else None
+        return k * length, train.outputs.copy(), np.array(of_vehicles), of_rail
 
-    train.set({"initial.position": 0.0, "initial.velocity": velocity})
-    train.enter_initialization(stop)
-    of_train = train.get(names)
-    train.exit_initialization()
-    of_vehicles = []
-    for i, vehicle in enumerate(vehicles, 1):
-        vehicle.set(
-            {
-                "initial.position": of_train[f"vehicle[{i}].position"],
-                "initial.velocity": of_train[f"vehicle[{i}].velocity"],
-            }
-        )
-        vehicle.enter_initialization(stop)
-        vehicle.set({**forces(i, of_train), "sync.force": 0.0})
-        of_vehicles.append(vehicle.get(wanted))
-        vehicle.exit_initialization()
-    yield 0.0, list(of_vehicles), of_train
+    train.initialize(velocity, stop_time)
+    for vehicle, in_train in zip(vehicles, train.outputs):
+        vehicle.initialize(in_train, stop_time)
+    if rail:
+        rail.initialize(vehicles, stop_time)
+    yield state(0)
 
     for k in range(steps):
         time = k * length
-        sync = []
-        for i, of_vehicle in enumerate(of_vehicles, 1):
-            error = of_vehicle["position"] - of_train[f"vehicle[{i}].position"]
-            error_rate = of_vehicle["velocity"] - of_train[f"vehicle[{i}].velocity"]
-            sync.append(-(KP * error + KD * error_rate))
+        for vehicle, in_train in zip(vehicles, train.outputs):
+            vehicle.synchronise(in_train)
         train.step(time, length)
-        of_train = train.get(names)
-        for i, vehicle in enumerate(vehicles, 1):
-            vehicle.set({**forces(i, of_train), "sync.force": sync[i - 1]})
-            vehicle.step(time, length)
-            of_vehicles[i - 1] = vehicle.get(wanted)
+        for vehicle, in_train in zip(vehicles, train.outputs):
+            vehicle.step(in_train, time, length)
+        if rail:
+            rail.step(vehicles, time, length)
         if (k + 1) % every == 0:
-            yield (k + 1) * length, list(of_vehicles), of_train
+            yield state(k + 1)
 
-    for instance in [train, *vehicles]:
-        instance.free()
+    for unit in [train, *vehicles, *([rail] if rail else [])]:
+        unit.instance.free()

@@ -21,11 +21,32 @@ def test_the_fmu_holds_what_users_look_for(model):
         "modelDescription.xml",
         f"binaries/linux64/{model}.so",
         "documentation/index.html",
+        "documentation/equations.html",
         "documentation/licenses/license.txt",
         "model.png",
+        "extra/org.fmi-standard.fmi-ls-ref/ref.csv",
     ):
         assert wanted in names
-    assert any(name.startswith("resources/") for name in names)
+    # The controller reads no files.
+    assert model == "synchronisation" or any(name.startswith("resources/") for name in names)
+
+
+@pytest.mark.parametrize("model", ["vehicle", "longitudinal", "railheat"])
+def test_terminals_keep_the_schema_and_name_variables(model):
+    from pathlib import Path
+    from zipfile import ZipFile
+
+    import fmpy
+    from lxml import etree
+
+    file = Path(fmpy.__file__).parent / "schema/fmi3/fmi3TerminalsAndIcons.xsd"
+    schema = etree.XMLSchema(etree.parse(str(file)))
+    text = ZipFile(FMUS[model]).read("terminalsAndIcons/terminalsAndIcons.xml")
+    document = etree.fromstring(text)
+    schema.assertValid(document)
+    names = {v.name for v in read_model_description(str(FMUS[model])).modelVariables}
+    members = {m.get("variableName") for m in document.iter("TerminalMemberVariable")}
+    assert members and members <= names
 
 
 @pytest.mark.parametrize("model", FMUS)

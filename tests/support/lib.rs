@@ -1,5 +1,8 @@
 //! What the tests of the whole system share: where things are, small scenarios, and the program.
 
+pub mod fmu_copy;
+pub mod hostile;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -50,51 +53,26 @@ pub struct SmallScenario {
 }
 
 impl SmallScenario {
-    /// One locomotive and four wagons that run `duration` seconds at 16.67 m/s in notch 7 on
-    /// the track of the paper's curve, which begins 20 m ahead of the leading vehicle.
+    /// The train of `tests/five-vehicles` for `duration` seconds: one locomotive and four wagons
+    /// at 16.67 m/s in notch 7 on the track of the paper's curve, which begins 20 m ahead of the
+    /// leading vehicle.
     ///
     /// # Panics
-    /// When the temporary folder cannot be made.
+    /// When the files cannot be read or the temporary folder cannot be made.
     pub fn new(duration: f64) -> Self {
-        let stock = root().join("stock");
-        let text = format!(
-            r#"title = "Five vehicles"
-duration_s = {duration:?}
-step_s = 0.001
-stock = "{}"
-
-[train]
-speed_m_per_s = 16.67
-[[train.vehicles]]
-type = "locomotive-coco-134t"
-count = 1
-[[train.vehicles]]
-type = "wagon-coco-134t-unpowered"
-count = 4
-
-[track]
-file = "track.toml"
-
-[driver]
-file = "driver.toml"
-
-[heat]
-begin_m = -120.0
-length_m = 600.0
-field_interval_s = 0.5
-"#,
-            stock.display()
-        );
-        let track = "start_m = 20.0\nalignment = [\n\
-            { length_m = 50.0, transition = true },\n\
-            { length_m = 600.0, radius_m = 800.0 },\n\
-            { length_m = 50.0, transition = true },\n]\n";
-        let driver = "[[command]]\nfrom_s = 0.0\nnotch = 7.0\n";
+        let file = |name: &str| {
+            let path = root().join("tests/five-vehicles").join(name);
+            std::fs::read_to_string(path).expect("the scenario of five vehicles is there")
+        };
+        let stock = root().join("stock").display().to_string();
+        let text = file("scenario.toml")
+            .replace("duration_s = 2.0", &format!("duration_s = {duration:?}"))
+            .replace("../../stock", &stock);
         Self {
             folder: tempfile::tempdir().expect("a temporary folder"),
             text,
-            track: track.to_owned(),
-            driver: driver.to_owned(),
+            track: file("track.toml"),
+            driver: file("driver.toml"),
         }
     }
 
@@ -104,10 +82,18 @@ field_interval_s = 0.5
     /// # Panics
     /// When the files cannot be written.
     pub fn run(&self, arguments: &[&str]) -> Output {
-        self.write();
         let mut all = vec!["run", "scenario.toml", "--quiet", "--results", "results"];
         all.extend(arguments);
-        hotfoot(self.folder.path(), &all)
+        self.hotfoot(&all)
+    }
+
+    /// Writes the files and runs the program in their folder.
+    ///
+    /// # Panics
+    /// When the files cannot be written.
+    pub fn hotfoot(&self, arguments: &[&str]) -> Output {
+        self.write();
+        hotfoot(self.folder.path(), arguments)
     }
 
     /// Runs the scenario, which must succeed.

@@ -1,16 +1,16 @@
 //! Building and packing the FMUs.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
 use crate::shell::{cargo, hotfoot, output, run, target};
 
 /// The models that become FMUs.
-const MODELS: [&str; 3] = ["vehicle", "longitudinal", "railheat"];
+const MODELS: [&str; 4] = ["vehicle", "longitudinal", "railheat", "synchronisation"];
 
-/// Builds the programs and the FMUs' binaries in release, and packs the FMUs with their default
-/// resources and the stock library into `target/fmus`.
+/// Builds the programs and the FMUs' binaries in release, and packs the FMUs into `target/fmus`:
+/// those that have default resources, with them and the stock library.
 pub fn build() -> Result<()> {
     let packages = MODELS.iter().flat_map(|model| ["-p".to_owned(), format!("{model}-fmu")]);
     let programs = ["-p", "hotfoot", "-p", "hotfoot-tools"];
@@ -25,9 +25,13 @@ pub fn build() -> Result<()> {
         );
         let mut pack = hotfoot();
         pack.arg("pack").arg(target().join(library));
-        pack.arg("--resources").arg(format!("fmus/{model}/resources"));
-        pack.args(["--stock", "stock", "--output"]).arg(fmu(model));
-        run(&mut pack)?;
+        let resources = Path::new("fmus").join(model).join("resources");
+        if resources.exists() {
+            pack.arg("--resources").arg(resources).args(["--stock", "stock"]);
+        }
+        pack.arg("--theory").arg(format!("docs/theory/{model}.md"));
+        pack.arg("--reference").arg(format!("fmus/{model}/reference"));
+        run(pack.arg("--output").arg(fmu(model)))?;
     }
     Ok(())
 }

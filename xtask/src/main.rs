@@ -3,14 +3,18 @@
 //! | file | task |
 //! |---|---|
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
+//! | `foot_study.rs` | the runs of the foot study, its table and expected figures |
 //! | `test.rs` | the whole test run |
-//! | `python.rs` | the Python environment of the FMPy tests |
+//! | `python.rs` | the Python environment of the FMPy tests, which has libclang too |
 //! | `shell.rs` | running commands |
 
 mod fmus;
+mod foot_study;
 mod python;
 mod shell;
 mod test;
+
+use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};
@@ -34,6 +38,18 @@ enum Task {
     Fmus,
     /// Write the published model descriptions anew
     ModelDescriptions,
+    /// Run the foot study (some minutes a scenario) and print its table
+    FootStudy {
+        /// Folder of the results
+        #[arg(default_value = "results/foot-study")]
+        results: PathBuf,
+        /// Take the results that are there
+        #[arg(long)]
+        table_only: bool,
+        /// Write what the runs gave as their expected figures
+        #[arg(long)]
+        write_expected: bool,
+    },
     /// The whole test run
     Test,
 }
@@ -49,6 +65,17 @@ fn main() -> Result<()> {
         Task::ModelDescriptions => {
             fmus::build()?;
             fmus::write_model_descriptions()
+        }
+        Task::FootStudy { results, table_only, write_expected } => {
+            if !table_only {
+                fmus::build()?;
+                foot_study::run_all(&results)?;
+            }
+            if write_expected {
+                foot_study::write_expected(&results)?;
+            }
+            print!("{}", foot_study::table(&results)?);
+            Ok(())
         }
         Task::Test => test::run_all(),
     }

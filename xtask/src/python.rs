@@ -5,10 +5,17 @@ use std::process::Command;
 
 use anyhow::Result;
 
-use crate::shell::{run, target};
+use crate::shell::{output, run, target};
 
 /// Pinned packages.
 const REQUIREMENTS: &str = "tests/python/requirements.txt";
+
+/// The folder of libclang in the environment, for crates that generate their bindings.
+pub fn libclang() -> Result<PathBuf> {
+    let mut python = Command::new(interpreter()?);
+    python.args(["-c", "import clang, os; print(os.path.join(clang.__path__[0], 'native'))"]);
+    Ok(output(&mut python)?.trim().into())
+}
 
 /// The interpreter of the environment; makes the environment if it is not there or its
 /// requirements have changed.

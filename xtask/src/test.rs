@@ -4,10 +4,10 @@ use std::process::Command;
 
 use anyhow::Result;
 
-use crate::shell::{cargo, run};
+use crate::shell::{cargo, output, run, target};
 use crate::{fmus, python};
 
-/// Format, lints, FMUs and their model descriptions, Rust tests, FMPy tests.
+/// Format, lints, FMUs and their model descriptions, Rust tests, FMPy tests, the crate `fmi`.
 pub fn run_all() -> Result<()> {
     step("format");
     run(cargo().args(["fmt", "--all", "--check"]))?;
@@ -25,7 +25,21 @@ pub fn run_all() -> Result<()> {
     run(cargo().args(["test", "--workspace", "--release"]))?;
     step("FMPy tests");
     let interpreter = python::interpreter()?;
-    run(Command::new(interpreter).args(["-m", "pytest", "-q", "tests/python"]))
+    run(Command::new(interpreter).args(["-m", "pytest", "-q", "tests/python"]))?;
+    step("the crate fmi as importer");
+    importer()
+}
+
+/// The tests with the crate `fmi`, which generates its bindings with libclang: that of the Python
+/// environment, with the headers of the C compiler.
+fn importer() -> Result<()> {
+    let headers = output(Command::new("cc").arg("-print-file-name=include"))?;
+    run(cargo()
+        .args(["test", "--release", "--manifest-path", "tests/interop/Cargo.toml"])
+        .env("CARGO_TARGET_DIR", target().join("interop"))
+        .env("LIBCLANG_PATH", python::libclang()?)
+        .env("BINDGEN_EXTRA_CLANG_ARGS", format!("-I{}", headers.trim()))
+        .env("HOTFOOT_FMUS", std::path::absolute(target().join("fmus"))?))
 }
 
 fn step(name: &str) {

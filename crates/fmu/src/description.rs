@@ -9,6 +9,7 @@ use elements::{
     LogCategory, ModelStructure, ModelVariables, RealElement, Root, ScalarVariable, StringElement,
     TypeElement, UnitDefinitions, UnitElement, Unknown, Unknowns,
 };
+use serde::Serialize;
 use serde_xml_rs::SerdeXml;
 use xml::EmitterConfig;
 
@@ -38,10 +39,15 @@ pub fn model_description<M: Model>(resources: &Path) -> Result<String, Error> {
 }
 
 fn write(identity: &Identity, guid: Guid, variables: &[Variable]) -> Result<String, Error> {
+    to_xml(&root(identity, guid, variables))
+}
+
+/// A document, indented.
+pub(crate) fn to_xml(root: &impl Serialize) -> Result<String, Error> {
     let layout = EmitterConfig::new().perform_indent(true).pad_self_closing(false);
     let text = SerdeXml::new()
         .emitter(layout)
-        .to_string(&root(identity, guid, variables))
+        .to_string(root)
         .map_err(|error| Error::Interface(ModelError::from_error(error)))?;
     Ok(text + "\n")
 }

@@ -9,11 +9,13 @@
 /// ```c
 /// int  hotfoot_model_description(const char* resources, char** text);
 /// int  hotfoot_documentation(const char* resources, char** text);
+/// int  hotfoot_terminals(const char* resources, char** text);
 /// void hotfoot_free_text(char* text);
 /// ```
 ///
-/// which write `modelDescription.xml` and `documentation/index.html` for the files in the folder
-/// `resources` (a path, not a URI): they return 0, or 1 if `text` says why it could not be done.
+/// which write `modelDescription.xml`, `documentation/index.html` and `terminalsAndIcons.xml` for
+/// the files in the folder `resources` (a path, not a URI): they return 0, or 1 if `text` says why
+/// it could not be done.
 #[macro_export]
 macro_rules! export {
     ($model:ty) => {
@@ -70,6 +72,7 @@ macro_rules! export {
 
                 hotfoot_model_description = describe(resources: *const c_char, text: *mut *mut c_char) -> c_int;
                 hotfoot_documentation = document(resources: *const c_char, text: *mut *mut c_char) -> c_int;
+                hotfoot_terminals = connect(resources: *const c_char, text: *mut *mut c_char) -> c_int;
                 hotfoot_free_text = free_text(text: *mut c_char) -> ();
             }
         }

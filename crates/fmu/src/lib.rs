@@ -18,6 +18,7 @@
 //! | `logging.rs`, `error.rs`, `status.rs` | what is told to the user, and what is returned |
 //! | `description.rs` | `modelDescription.xml` |
 //! | `signal_table.rs` | `documentation/index.html` |
+//! | `terminals.rs` | `terminalsAndIcons/terminalsAndIcons.xml` |
 //! | `abi.rs`, `export.rs` | the C functions, and their names in an FMU's library |
 //! | `resource_location.rs` | the URI of the resources folder |
 //!
@@ -122,6 +123,7 @@ mod signal_table;
 mod state;
 mod status;
 mod stepping;
+mod terminals;
 pub mod unit;
 mod values;
 mod variable;
@@ -136,6 +138,7 @@ pub use model::{Identity, Interval, Log, LogLevel, Model, ModelError};
 pub use signal_table::{documentation, signal_table_html};
 pub use state::SavedState;
 pub use status::Status;
+pub use terminals::{Terminal, terminals};
 pub use unit::Unit;
 pub use values::{Boolean, Integer, Real, Text, Values};
 pub use variable::{Causality, Declaration, Initial, Kind, Variability, Variable};

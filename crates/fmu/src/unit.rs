@@ -47,6 +47,12 @@ pub const METRE_PER_SECOND_SQUARED: Unit = si("m/s2", 0, 1, -2, 0, 0);
 pub const KILOGRAM: Unit = si("kg", 1, 0, 0, 0, 0);
 /// Newton.
 pub const NEWTON: Unit = si("N", 1, 1, -2, 0, 0);
+/// Newton per metre (stiffness).
+pub const NEWTON_PER_METRE: Unit = si("N/m", 1, 0, -2, 0, 0);
+/// Newton second per metre (damping).
+pub const NEWTON_SECOND_PER_METRE: Unit = si("N.s/m", 1, 0, -1, 0, 0);
+/// Newton per metre and second (gain on the integral of a position).
+pub const NEWTON_PER_METRE_SECOND: Unit = si("N/(m.s)", 1, 0, -3, 0, 0);
 /// Newton metre.
 pub const NEWTON_METRE: Unit = si("N.m", 1, 2, -2, 0, 0);
 /// Joule.

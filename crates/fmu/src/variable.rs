@@ -3,6 +3,7 @@
 
 use serde::Serialize;
 
+use crate::terminals::Terminal;
 use crate::unit::Unit;
 use crate::values::{Boolean, Integer, Real, Text, Values};
 
@@ -111,6 +112,7 @@ pub struct Variable {
 pub struct Declaration {
     variables: Vec<Variable>,
     start: Values,
+    terminals: Vec<Terminal>,
 }
 
 impl Declaration {
@@ -122,6 +124,22 @@ impl Declaration {
     /// The start values of all variables; outputs start at zero.
     pub fn start_values(&self) -> &Values {
         &self.start
+    }
+
+    /// The declared terminals in order.
+    pub fn terminals(&self) -> &[Terminal] {
+        &self.terminals
+    }
+
+    /// Says that the variables whose names begin with `name` and a dot are connected together.
+    pub fn terminal(
+        &mut self,
+        name: impl Into<String>,
+        kind: &'static str,
+        description: impl Into<String>,
+    ) {
+        let terminal = Terminal { name: name.into(), kind, description: description.into() };
+        self.terminals.push(terminal);
     }
 
     /// Begins a Real variable in SI `unit`.

@@ -61,6 +61,31 @@ pub struct AirBrake {
     /// Whether the brake can be released by degrees; otherwise any release empties the cylinder.
     #[serde(default)]
     pub graduated_release: bool,
+    /// The air that there is; none: reservoirs are always full, and nothing leaks.
+    pub reservoir: Option<Reservoir>,
+}
+
+/// Section `[brake.air.reservoir]`: the air of the vehicle and of its pipe. Shares are of the change
+/// of pressure at full service.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Reservoir {
+    /// Time constant of recharging beside the source of the air, s.
+    pub recharge_s: f64,
+    /// What a kilometre of pipe adds to it, s.
+    #[serde(default)]
+    pub recharge_s_per_km: f64,
+    /// Share by which the pressure in the pipe falls in a minute while the brake is applied; zero
+    /// where the driver's valve maintains it.
+    #[serde(default)]
+    pub pipe_leakage_per_min: f64,
+    /// Share of the cylinder's own pressure that is lost in a minute.
+    #[serde(default)]
+    pub cylinder_leakage_per_min: f64,
+    /// Share by which the greatest cylinder pressure is less for each kilometre of pipe, because a
+    /// pipe that leaks holds less pressure at its end.
+    #[serde(default)]
+    pub gradient_per_km: f64,
 }
 
 /// A fraction that rises from 0 to 1 over time.
@@ -124,7 +149,18 @@ impl AirBrake {
         check.between("emergency_wave_m_per_s", self.emergency_wave_m_per_s, 1.0, 350.0)?;
         self.build_up.check(&check.section("build_up"))?;
         self.emergency_build_up.check(&check.section("emergency_build_up"))?;
-        self.release.check(&check.section("release"))
+        self.release.check(&check.section("release"))?;
+        self.reservoir.map_or(Ok(()), |reservoir| reservoir.check(&check.section("reservoir")))
+    }
+}
+
+impl Reservoir {
+    fn check(&self, check: &Check) -> Result<(), StockError> {
+        check.between("recharge_s", self.recharge_s, 1.0, 3600.0)?;
+        check.between("recharge_s_per_km", self.recharge_s_per_km, 0.0, 3600.0)?;
+        check.between("pipe_leakage_per_min", self.pipe_leakage_per_min, 0.0, 1.0)?;
+        check.between("cylinder_leakage_per_min", self.cylinder_leakage_per_min, 0.0, 1.0)?;
+        check.between("gradient_per_km", self.gradient_per_km, 0.0, 0.2)
     }
 }
 

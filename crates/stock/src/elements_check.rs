@@ -16,10 +16,9 @@ const MOST_DAMPING: f64 = 1e8;
 
 /// Calls `check` for each element of a list, in the section of that element.
 fn each<T>(list: &[T], name: &str, all: &Check, check: impl Fn(&T, &Check) -> Checked) -> Checked {
-    let numbered = list.iter().enumerate();
+    let mut numbered = list.iter().enumerate();
     numbered
-        .map(|(i, element)| check(element, &all.section(&format!("{name}[{}]", i + 1))))
-        .collect()
+        .try_for_each(|(i, element)| check(element, &all.section(&format!("{name}[{}]", i + 1))))
 }
 
 /// Values of a list that must lie between zero and `most`.

@@ -43,42 +43,55 @@ struct Drawbar {
     stiffness_mn_m: f64,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct GearFile {
-    name: String,
-    source: String,
-    locked_stiffness_mn_m: Option<f64>,
-    structure_stiffness_mn_m: Option<f64>,
-    #[serde(default)]
-    damping_kn_s_m: f64,
-    transition_speed_mm_s: Option<f64>,
-    loading: Option<ForceCurve>,
-    unloading: Option<ForceCurve>,
-    loss_percent: Option<f64>,
-    wedge: Option<Wedge>,
-    orifice: Option<Orifice>,
-    drawbar: Option<Drawbar>,
-    buff: Option<Side>,
+/// Declares the file of a gear and its section `[buff]`, which have the same keys for the two
+/// directions, and a [`Side`] with these keys.
+macro_rules! keys_of_a_direction {
+    ($($key:ident: $kind:ty),* $(,)?) => {
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        pub(crate) struct GearFile {
+            name: String,
+            source: String,
+            buff: Option<Buff>,
+            $($key: Option<$kind>,)*
+        }
+
+        /// Section `[buff]`: so many gears side by side, in buff only.
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Buff {
+            #[serde(default = "one")]
+            count: f64,
+            $($key: Option<$kind>,)*
+        }
+
+        /// One direction of a gear as it is written.
+        struct Side {
+            count: f64,
+            $($key: Option<$kind>,)*
+        }
+
+        impl GearFile {
+            /// Name, source, draft and buff.
+            fn parts(self) -> (String, String, Side, Option<Side>) {
+                let buff = self.buff.map(|buff| Side { count: buff.count, $($key: buff.$key,)* });
+                (self.name, self.source, Side { count: one(), $($key: self.$key,)* }, buff)
+            }
+        }
+    };
 }
 
-/// One direction of a gear as it is written.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Side {
-    #[serde(default = "one")]
-    count: f64,
-    locked_stiffness_mn_m: Option<f64>,
-    structure_stiffness_mn_m: Option<f64>,
-    #[serde(default)]
+keys_of_a_direction! {
+    locked_stiffness_mn_m: f64,
+    structure_stiffness_mn_m: f64,
     damping_kn_s_m: f64,
-    transition_speed_mm_s: Option<f64>,
-    loading: Option<ForceCurve>,
-    unloading: Option<ForceCurve>,
-    loss_percent: Option<f64>,
-    wedge: Option<Wedge>,
-    orifice: Option<Orifice>,
-    drawbar: Option<Drawbar>,
+    transition_speed_mm_s: f64,
+    loading: ForceCurve,
+    unloading: ForceCurve,
+    loss_percent: f64,
+    wedge: Wedge,
+    orifice: Orifice,
+    drawbar: Drawbar,
 }
 
 fn one() -> f64 {
@@ -88,32 +101,21 @@ fn one() -> f64 {
 impl GearFile {
     pub(crate) fn compile(self, file: &str) -> Result<DraftGear, StockError> {
         let check = Check::new(file);
-        let draft = Side {
-            count: 1.0,
-            locked_stiffness_mn_m: self.locked_stiffness_mn_m,
-            structure_stiffness_mn_m: self.structure_stiffness_mn_m,
-            damping_kn_s_m: self.damping_kn_s_m,
-            transition_speed_mm_s: self.transition_speed_mm_s,
-            loading: self.loading,
-            unloading: self.unloading,
-            loss_percent: self.loss_percent,
-            wedge: self.wedge,
-            orifice: self.orifice,
-            drawbar: self.drawbar,
-        };
+        let (name, source, draft, buff) = self.parts();
         let draft = draft.compile(&check)?;
-        let buff = match self.buff {
+        let buff = match buff {
             None => draft.clone(),
             Some(buff) => buff.compile(&check.section("buff"))?,
         };
-        Ok(DraftGear { name: self.name, source: self.source, draft, buff })
+        Ok(DraftGear { name, source, draft, buff })
     }
 }
 
 impl Side {
     fn compile(self, check: &Check) -> Result<Characteristic, StockError> {
         check.between("count", self.count, 1.0, 4.0)?;
-        check.between("damping_kn_s_m", self.damping_kn_s_m, 0.0, 10_000.0)?;
+        let damping = self.damping_kn_s_m.unwrap_or_default();
+        check.between("damping_kn_s_m", damping, 0.0, 10_000.0)?;
         if let Some(speed) = self.transition_speed_mm_s {
             check.between("transition_speed_mm_s", speed, 0.1, 1000.0)?;
         }
@@ -153,7 +155,7 @@ impl Side {
         let characteristic = Characteristic {
             locked_stiffness_mn_m: locked,
             structure_stiffness_mn_m: structure,
-            damping_kn_s_m: count * self.damping_kn_s_m,
+            damping_kn_s_m: count * damping,
             transition_speed_mm_s: self.transition_speed_mm_s,
             loading,
             unloading,

@@ -9,7 +9,7 @@
 //! |---|---|
 //! | `library.rs` | the folder of files; a vehicle that extends another |
 //! | `vehicle.rs` | the vehicle file |
-//! | `resistance.rs` | its section on propulsion and curve resistance, with the formulas |
+//! | `resistance.rs`, `curve_resistance.rs` | its section on propulsion and curve resistance, with the formulas |
 //! | `propulsion.rs` | its sections on traction and dynamic brake |
 //! | `brake.rs` | its sections on friction brakes |
 //! | `multibody.rs` | its section for the three-dimensional model; `multibody_check.rs` checks it |
@@ -24,6 +24,7 @@ mod brake;
 mod check;
 mod consist;
 mod creep;
+mod curve_resistance;
 mod draft_gear;
 mod elements;
 mod elements_check;
@@ -37,10 +38,13 @@ mod resistance;
 mod vehicle;
 mod wedge;
 
-pub use brake::{AirBrake, Brake, BrakeControl, FractionByTime, HandBrake, LocomotiveBrake};
+pub use brake::{
+    AirBrake, Brake, BrakeControl, FractionByTime, HandBrake, LocomotiveBrake, Reservoir,
+};
 pub use check::{Check, StockError};
 pub use consist::{Consist, Member};
 pub use creep::{CreepLaw, CreepLawKind};
+pub use curve_resistance::{CurveFormula, CurveTable};
 pub use draft_gear::{Characteristic, DraftGear, Orifice};
 pub use elements::{
     CentrePlate, Damper, Direction, Friction, Rod, RotationalSpring, SideBearer, Spring, Stop,
@@ -52,6 +56,6 @@ pub use multibody::{Body, CouplerAttachment, Multibody, WheelRailContact, Wheels
 pub use propulsion::{
     Between, DynamicBrake, EffortByNotch, EffortBySpeed, NOTCHES, Traction, ValueBySpeed,
 };
-pub use resistance::{CurveFormula, CurveTable, DavisCoefficients, Resistance, ResistanceFormula};
+pub use resistance::{DavisCoefficients, Resistance, ResistanceFormula};
 pub use vehicle::{Coupler, RearCoupler, Vehicle};
 pub use wedge::Wedge;

@@ -6,6 +6,7 @@
 use serde::Deserialize;
 
 use crate::check::{Check, StockError};
+use crate::curve_resistance::{CurveFormula, CurveTable};
 use crate::propulsion::EffortBySpeed;
 
 /// Newtons in a pound of force.
@@ -38,21 +39,6 @@ pub enum ResistanceFormula {
     /// Cole 2006: `2.943 + 89.2/m_a + 0.0306 V + 1.741 K V²/m` N/t; its factor Ka is `factor`.
     Cole,
     /// Force by speed from the table.
-    Table,
-}
-
-/// How the curve resistance follows from the radius R, m.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum CurveFormula {
-    /// `curve_n_m_per_t m/R`.
-    #[default]
-    Radius,
-    /// `0.0004 m g D` with the degree of curve D over a chord of 100 ft, about 1746/R.
-    Degree,
-    /// Roeckl: `650/(R − 55)` N/kN from 300 m on, `500/(R − 30)` below.
-    Roeckl,
-    /// N/t by curvature from the table.
     Table,
 }
 
@@ -98,16 +84,6 @@ pub struct Resistance {
     pub curve_n_m_per_t: f64,
     /// Curve resistance by curvature, for the formula "table".
     pub curve_table: Option<CurveTable>,
-}
-
-/// Curve resistance over curvature.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CurveTable {
-    /// Curvatures, rising from zero, 1/km.
-    pub per_km: Vec<f64>,
-    /// Resistance, N/t.
-    pub resistance_n_per_t: Vec<f64>,
 }
 
 /// Propulsion resistance `constant + linear V + quadratic V²`, N with V in km/h.
@@ -227,22 +203,7 @@ impl Resistance {
         if let Some(table) = &self.table {
             table.check(&check.section("table"))?;
         }
-        let by_table = self.curve_formula == CurveFormula::Table;
-        match &self.curve_table {
-            Some(table) if by_table => check.section("curve_table").columns(
-                ("per_km", &table.per_km),
-                ("resistance_n_per_t", &table.resistance_n_per_t),
-                2,
-            ),
-            None if by_table => {
-                Err(check.error("curve_table", "none", "needed by the curve formula \"table\""))
-            }
-            Some(_) => {
-                let wanted = "leave it out, or set curve_formula = \"table\"";
-                Err(check.error("curve_table", "given", wanted))
-            }
-            None => Ok(()),
-        }
+        self.curve_formula.check(self.curve_table.as_ref(), check)
     }
 }
 

@@ -23,6 +23,9 @@ pub struct ModesArguments {
     /// Dry friction sticks; otherwise surfaces slide without friction
     #[arg(long)]
     stick: bool,
+    /// Leave all damping out
+    #[arg(long)]
+    undamped: bool,
     /// Print comma-separated values with the whole shapes
     #[arg(long)]
     csv: bool,
@@ -35,7 +38,10 @@ pub struct ModesArguments {
 pub fn modes(arguments: &ModesArguments) -> Result<()> {
     let structure = arguments.vehicle.structure()?;
     let surfaces = if arguments.stick { Surfaces::Stick } else { Surfaces::Slide };
-    let system = System::new(&structure, surfaces).with_wheelsets_held(&structure);
+    let mut system = System::new(&structure, surfaces).with_wheelsets_held(&structure);
+    if arguments.undamped {
+        system = system.without_damping();
+    }
     let modes = system.modes().oscillating;
     let print = if arguments.csv { csv } else { table };
     print!("{}", print(&structure, &modes));

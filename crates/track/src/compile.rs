@@ -56,7 +56,8 @@ impl TrackFile {
                 gradient: gradient.expansion(begin, &mut 0),
             });
         }
-        Ok(Track { begins, pieces })
+        let before = pieces[0].as_at_its_beginning();
+        Ok(Track { begins, pieces, before })
     }
 
     fn gradient(&self) -> Points {

@@ -70,6 +70,17 @@ pub enum TrackError {
         /// The columns that it must have.
         wanted: &'static str,
     },
+    /// A file with measured values lies in another folder.
+    #[error(
+        "track file {file}: irregularity.file = {value}: must be the name of a file in the folder of \
+         the track file"
+    )]
+    Elsewhere {
+        /// File name.
+        file: String,
+        /// Value found.
+        value: String,
+    },
     /// A row of measured values cannot be used.
     #[error(
         "{file}: line {line}: must be a chainage in m and four irregularities between -200 and 200 mm"

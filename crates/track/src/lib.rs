@@ -21,4 +21,4 @@ mod track;
 pub use file::TrackError;
 pub use irregularity::{Irregularity, RailOffset};
 pub use support::Support;
-pub use track::{Track, TrackPoint};
+pub use track::{Place, Track, TrackPoint};

@@ -41,6 +41,40 @@ pub(crate) struct Piece {
     pub gradient: [f64; 4],
 }
 
+/// A place on the track, for those who need little of what holds there.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<'a> {
+    piece: &'a Piece,
+    /// Distance from the beginning of the piece, m.
+    distance: f64,
+}
+
+impl Place<'_> {
+    /// As [`TrackPoint::curvature`].
+    #[inline]
+    pub fn curvature(&self) -> f64 {
+        value(&self.piece.curvature, self.distance)
+    }
+
+    /// As [`TrackPoint::heading`].
+    #[inline]
+    pub fn heading(&self) -> f64 {
+        self.piece.heading + integral(&self.piece.curvature, self.distance)
+    }
+
+    /// As [`TrackPoint::gradient`].
+    #[inline]
+    pub fn gradient(&self) -> f64 {
+        value(&self.piece.gradient, self.distance)
+    }
+
+    /// As [`TrackPoint::elevation`].
+    #[inline]
+    pub fn elevation(&self) -> f64 {
+        self.piece.elevation + integral(&self.piece.gradient, self.distance)
+    }
+}
+
 /// Curvature, cant and gradient as functions of the chainage, in closed form piece by piece.
 ///
 /// Before the first piece and after the last one the track goes on with the outermost values.
@@ -49,39 +83,35 @@ pub struct Track {
     /// Chainage at which each piece begins, m, rising.
     pub(crate) begins: Vec<f64>,
     pub(crate) pieces: Vec<Piece>,
+    /// What holds before the first piece, over the distance from its beginning.
+    pub(crate) before: Piece,
 }
 
 impl Track {
     /// Straight and level without end.
     pub fn straight() -> Self {
-        Self { begins: vec![0.0], pieces: vec![Piece::default()] }
+        Self { begins: vec![0.0], pieces: vec![Piece::default()], before: Piece::default() }
     }
 
-    /// What holds at `chainage`; `index` is any number at first and the place of the last lookup
-    /// later, so that a lookup near the last one costs little.
+    /// All that holds at `chainage`; `index` as for [`Self::place`].
     #[inline]
     pub fn at(&self, chainage: f64, index: &mut usize) -> TrackPoint {
+        let Place { piece, distance } = self.place(chainage, index);
+        piece.at(distance)
+    }
+
+    /// The place at `chainage`; `index` is any number at first and the place of the last lookup
+    /// later, so that a lookup near the last one costs little.
+    #[inline]
+    pub fn place(&self, chainage: f64, index: &mut usize) -> Place<'_> {
         if chainage < self.begins[0] {
-            return self.before_the_first(chainage);
+            return Place { piece: &self.before, distance: chainage - self.begins[0] };
         }
         *index = match self.begins.last() {
             Some(&last) if chainage >= last => self.begins.len() - 1,
             _ => interval(&self.begins, chainage, *index),
         };
-        self.pieces[*index].at(chainage - self.begins[*index])
-    }
-
-    /// Extends the values at the beginning of the track backwards.
-    fn before_the_first(&self, chainage: f64) -> TrackPoint {
-        let first = &self.pieces[0];
-        let constant = |coefficients: [f64; 4]| [coefficients[0], 0.0, 0.0, 0.0];
-        let piece = Piece {
-            curvature: constant(first.curvature),
-            cant_angle: constant(first.cant_angle),
-            gradient: constant(first.gradient),
-            ..*first
-        };
-        piece.at(chainage - self.begins[0])
+        Place { piece: &self.pieces[*index], distance: chainage - self.begins[*index] }
     }
 
     /// Chainages at which curves begin and end, transitions included, m. A curve that goes on
@@ -101,6 +131,17 @@ impl Track {
 }
 
 impl Piece {
+    /// The piece with the values that it has at its beginning, as they hold backwards from there.
+    pub(crate) fn as_at_its_beginning(&self) -> Self {
+        let constant = |coefficients: [f64; 4]| [coefficients[0], 0.0, 0.0, 0.0];
+        Self {
+            curvature: constant(self.curvature),
+            cant_angle: constant(self.cant_angle),
+            gradient: constant(self.gradient),
+            ..*self
+        }
+    }
+
     /// What holds `s` after the beginning of the piece: the integrals of cubic functions.
     #[inline]
     pub(crate) fn at(&self, s: f64) -> TrackPoint {

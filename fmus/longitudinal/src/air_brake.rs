@@ -9,13 +9,15 @@
 //! ```
 //!
 //! so that a partial application follows the same curve and stops at its command. Without graduated
-//! release, any release empties the cylinder. Validity: shape and times are those of the table that
-//! is given; recharging of the reservoirs, leakage and local pressure waves are not in it.
+//! release, any release empties the cylinder. The air that there is limits it where the file says so
+//! (`reservoir.rs`). Validity: shape and times are those of the table that is given; local pressure
+//! waves are not in it.
 //!
 //! Source of the form: empirical models as in Wu et al., *Freight train air brake models*,
 //! International Journal of Rail Transportation 11(1), 2023.
 
 use crate::brake::{BrakeState, EMERGENCY};
+use crate::reservoir::Reservoir;
 
 /// Air brake of one vehicle.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +30,7 @@ pub struct AirBrake {
     emergency_build_up: Rates,
     release: Rates,
     graduated: bool,
+    reservoir: Option<Reservoir>,
 }
 
 /// Rates of a curve that rises from 0 to 1, by the fraction.
@@ -63,6 +66,7 @@ impl AirBrake {
             emergency_build_up: Rates::new(&file.emergency_build_up),
             release: Rates::new(&file.release),
             graduated: file.graduated_release,
+            reservoir: file.reservoir.as_ref().map(Reservoir::new),
         }
     }
 
@@ -88,18 +92,33 @@ impl AirBrake {
             state.releasing = false;
         }
         state.heard = command;
+        state.leaked = 0.0;
     }
 
-    /// Takes the cylinder over a time `step`, s.
-    pub(crate) fn advance(&self, state: &mut BrakeState, step: f64) {
-        let target = if state.releasing { 0.0 } else { state.heard };
+    /// Takes the cylinder of a vehicle that is `distance`, m, from the source of its air over a time
+    /// `step`, s.
+    pub(crate) fn advance(&self, state: &mut BrakeState, distance: f64, step: f64) {
+        if let Some(reservoir) = &self.reservoir {
+            reservoir.recharge_and_leak(state, distance, step);
+        }
         let now = state.cylinder;
+        let target = match &self.reservoir {
+            _ if state.releasing => 0.0,
+            None => state.heard,
+            Some(reservoir) => {
+                // Only a graduated release follows the pipe down.
+                let level = reservoir.level(state, distance);
+                let kept = if self.graduated { now.min(level) } else { now };
+                kept + (level - state.spent).max(0.0)
+            }
+        };
         if now < target {
-            let filled = match target {
+            let filled = match state.heard {
                 EMERGENCY => EMERGENCY * self.emergency_build_up.advanced(now / EMERGENCY, step),
                 _ => self.build_up.advanced(now, step),
             };
             state.cylinder = filled.min(target);
+            state.spent += state.cylinder - now;
         } else if now > target {
             // Pressure above full service goes at the rate of full service.
             let gone = self.release.advanced((1.0 - now).max(0.0), step) - (1.0 - now).max(0.0);

@@ -18,6 +18,7 @@ use stock::BrakeControl;
 use crate::air_brake::AirBrake;
 use crate::ecp_brake::{EcpBrake, EcpState};
 use crate::gravity::STANDARD_GRAVITY;
+use crate::member::Member;
 
 /// Greatest command: emergency, the level of AAR S-4200.
 pub const EMERGENCY: f64 = 1.2;
@@ -36,12 +37,8 @@ pub struct Brake {
     locomotive: Option<LocomotiveBrake>,
     /// Force of the shoes by the hand brake when fully applied, N; none: there is no hand brake.
     hand_brake: Option<f64>,
-    /// Force of the shoes by the hand brake, N.
-    hand_force: f64,
     /// Share of the friction power that goes into one wheel.
     wheel_share: f64,
-    /// Interval of the last lookup in `friction`.
-    index: usize,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -70,6 +67,10 @@ pub struct BrakeState {
     pub heard: f64,
     /// Number of changes of the pipe's command that have come.
     pub heard_count: u64,
+    /// Air that the reservoir has given and not got back, as a share of that of a full service.
+    pub spent: f64,
+    /// What the pipe has lost by leakage since the last change of its command, as such a share.
+    pub leaked: f64,
     /// Whether the cylinder empties, as it does without graduated release until it is empty.
     pub releasing: bool,
 }
@@ -82,6 +83,7 @@ impl BrakeState {
             locomotive_cylinder: locomotive_brake,
             ecp: EcpState::settled(train_brake),
             heard: train_brake,
+            spent: train_brake,
             ..Self::default()
         }
     }
@@ -109,16 +111,16 @@ impl Brake {
                 release_rate: 1.0 / brake.release_s,
             }),
             hand_brake: vehicle.hand_brake.as_ref().map(|brake| brake.net_braking_ratio * weight),
-            hand_force: 0.0,
             wheel_share: file.wheel_heat_share / (2.0 * f64::from(vehicle.axles)),
-            index: 0,
         })
     }
 
-    /// Applies a share of the hand brake's force; false when there is no hand brake to apply.
-    pub(crate) fn apply_hand_brake(&mut self, share: f64) -> bool {
-        self.hand_force = share * self.hand_brake.unwrap_or_default();
-        share == 0.0 || self.hand_brake.is_some()
+    /// Force of the shoes by a share of the hand brake, N; none when there is none to apply.
+    pub(crate) fn hand_force(&self, share: f64) -> Option<f64> {
+        match share {
+            0.0 => Some(0.0),
+            share => self.hand_brake.map(|full| share * full),
+        }
     }
 
     /// The air brake, if the pipe commands this vehicle.
@@ -130,12 +132,19 @@ impl Brake {
     }
 
     /// Takes the brakes over a time `step`, s, with the commands of the cable and of the
-    /// locomotive brake; an air brake follows what it has heard.
+    /// locomotive brake; an air brake follows what it has heard, `distance`, m, from the source of its
+    /// air.
     #[inline]
-    pub fn advance(&self, state: &mut BrakeState, train: f64, locomotive: f64, step: f64) {
+    pub(crate) fn advance(
+        &self,
+        state: &mut BrakeState,
+        [train, locomotive]: [f64; 2],
+        distance: f64,
+        step: f64,
+    ) {
         match &self.control {
             Control::Ecp(ecp) => ecp.advance(&mut state.ecp, &mut state.cylinder, train, step),
-            Control::Air(air) => air.advance(state, step),
+            Control::Air(air) => air.advance(state, distance, step),
         }
         if let Some(brake) = &self.locomotive {
             let missing = locomotive - state.locomotive_cylinder;
@@ -146,15 +155,16 @@ impl Brake {
 
     /// Greatest force against the motion at a speed, m/s, in N.
     #[inline]
-    pub fn force(&mut self, state: &BrakeState, speed: f64) -> f64 {
+    pub(crate) fn force(&self, member: &mut Member, state: &BrakeState, speed: f64) -> f64 {
         let train = state.cylinder * self.shoe_force;
         let locomotive = match &self.locomotive {
             Some(brake) => state.locomotive_cylinder * brake.shoe_force,
             None => 0.0,
         };
-        match train.max(locomotive).max(self.hand_force) {
+        let greater = |a: f64, b: f64| if a > b { a } else { b };
+        match greater(greater(train, locomotive), member.hand_force) {
             0.0 => 0.0,
-            shoes => shoes * self.friction.value(speed, &mut self.index),
+            shoes => shoes * self.friction.value(speed, &mut member.friction_index),
         }
     }
 

@@ -30,24 +30,24 @@ pub(crate) struct ConnectionSide {
     transition_speed: f64,
     orifice: Option<LinearTable>,
     loading: Curve,
-    /// Deflections behind the slack at which the pieces begin.
-    begins: Vec<f64>,
     pieces: Vec<Piece>,
-    /// Piece of the last lookup.
-    index: usize,
 }
 
 /// A piece of deflection over which both curves are straight.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
+    /// Deflections behind the slack at which the piece begins and ends, m; the last has no end.
+    begin: f64,
+    end: f64,
     /// Forces at the beginning of the piece, N, and their slopes, N/m.
     loading: f64,
     loading_slope: f64,
     unloading: f64,
     unloading_slope: f64,
     /// Deflection that friction holds when the force is taken away from the unloading curve at
-    /// the beginning of the piece, m.
+    /// the beginning of the piece, and at its end, m.
     held: f64,
+    held_end: f64,
     /// Energy that is stored then, J.
     held_energy: f64,
     /// Slope of the unloading curve over the held deflection, N/m.
@@ -69,10 +69,8 @@ impl ConnectionSide {
             damping: gear.damping,
             transition_speed: gear.transition_speed,
             pieces: pieces(&gear, &begins),
-            begins,
             orifice: gear.orifice,
             loading: gear.loading,
-            index: 0,
         }
     }
 
@@ -82,10 +80,17 @@ impl ConnectionSide {
     }
 
     /// Force after a move by `moved`, m, to the deflection `beyond` at a speed of being pushed in,
-    /// m/s, from the force `before`, N.
+    /// m/s, from the force `before`, N; `index` is the piece of the last lookup.
     #[inline]
-    pub fn force(&mut self, before: f64, moved: f64, beyond: f64, speed: f64) -> f64 {
-        let (least, most) = self.band(beyond);
+    pub fn force(
+        &self,
+        before: f64,
+        moved: f64,
+        beyond: f64,
+        speed: f64,
+        index: &mut usize,
+    ) -> f64 {
+        let (least, most) = self.piece_at(beyond, index).band(beyond);
         if self.transition_speed > 0.0 {
             let share = (speed / self.transition_speed).clamp(-1.0, 1.0);
             return (most + least + share * (most - least)) / 2.0;
@@ -109,13 +114,13 @@ impl ConnectionSide {
     }
 
     /// Energy that the gears give back when they are let go, J (theory, eq. 8); with a transition
-    /// speed, what they give back when they are let go slowly.
+    /// speed, what they give back when they are let go slowly. `index` is the piece of the last
+    /// lookup.
     #[inline]
-    pub fn stored_energy(&self, force: f64, beyond: f64) -> f64 {
+    pub fn stored_energy(&self, force: f64, beyond: f64, mut index: usize) -> f64 {
         if self.transition_speed > 0.0 {
-            let after = self.begins.partition_point(|begin| *begin <= beyond);
-            let piece = &self.pieces[after.saturating_sub(1)];
-            let distance = (beyond - self.begins[after.saturating_sub(1)]).max(0.0);
+            let piece = self.piece_at(beyond, &mut index);
+            let distance = beyond - piece.begin;
             let mean = (piece.loading + piece.unloading) / 2.0;
             let slope = (piece.loading_slope + piece.unloading_slope) / 2.0;
             return piece.mean_energy + distance * (mean + slope * distance / 2.0);
@@ -125,7 +130,7 @@ impl ConnectionSide {
         if held <= 0.0 {
             return force * elastic / 2.0;
         }
-        let piece = self.piece_held_at(held);
+        let piece = self.piece_held_at(held, index);
         let past = held - piece.held;
         let mean_force = piece.unloading + piece.held_slope * past / 2.0;
         piece.held_energy + past * mean_force + force * elastic / 2.0
@@ -145,33 +150,40 @@ impl ConnectionSide {
         (steepest, self.damping + cushion + gap / (2.0 * self.transition_speed))
     }
 
-    /// The piece whose unloading curve is met from a held deflection, searched from the piece of
-    /// the last lookup.
+    /// The piece that holds a deflection behind the slack, searched from the last one.
     #[inline]
-    fn piece_held_at(&self, held: f64) -> &Piece {
-        let mut i = self.index;
-        while i > 0 && held < self.pieces[i].held {
-            i -= 1;
+    fn piece_at(&self, beyond: f64, index: &mut usize) -> &Piece {
+        match self.pieces.get(*index) {
+            Some(piece) if beyond >= piece.begin && beyond < piece.end => piece,
+            _ => {
+                let after = self.pieces.partition_point(|piece| piece.begin <= beyond);
+                *index = after.saturating_sub(1);
+                &self.pieces[*index]
+            }
         }
-        while i + 1 < self.pieces.len() && held >= self.pieces[i + 1].held {
-            i += 1;
-        }
-        &self.pieces[i]
     }
 
+    /// The piece whose unloading curve is met from a held deflection, searched from the last one.
+    #[inline]
+    fn piece_held_at(&self, held: f64, index: usize) -> &Piece {
+        match self.pieces.get(index) {
+            Some(piece) if held >= piece.held && held < piece.held_end => piece,
+            _ => {
+                let after = self.pieces.partition_point(|piece| piece.held <= held);
+                &self.pieces[after.saturating_sub(1)]
+            }
+        }
+    }
+}
+
+impl Piece {
     /// Force of the unloading and of the loading curve at a deflection behind the slack.
     #[inline]
-    fn band(&mut self, beyond: f64) -> (f64, f64) {
-        let last = self.begins.len() - 1;
-        self.index = match beyond >= self.begins[last] {
-            true => last,
-            false => numerics::interval(&self.begins, beyond, self.index),
-        };
-        let piece = &self.pieces[self.index];
-        let distance = beyond - self.begins[self.index];
+    fn band(&self, beyond: f64) -> (f64, f64) {
+        let distance = beyond - self.begin;
         (
-            piece.unloading + distance * piece.unloading_slope,
-            piece.loading + distance * piece.loading_slope,
+            self.unloading + distance * self.unloading_slope,
+            self.loading + distance * self.loading_slope,
         )
     }
 }
@@ -197,13 +209,19 @@ fn pieces(gear: &Side, begins: &[f64]) -> Vec<Piece> {
                 )
             }
         };
+        if let Some(before) = pieces.last_mut() {
+            (before.end, before.held_end) = (begin, held);
+        }
         let unloading_slope = slope(&gear.unloading, i);
         pieces.push(Piece {
+            begin,
+            end: f64::INFINITY,
             loading,
             loading_slope: slope(&gear.loading, i),
             unloading,
             unloading_slope,
             held,
+            held_end: f64::INFINITY,
             held_energy,
             held_slope: unloading_slope / (1.0 - unloading_slope / gear.locked_stiffness),
             mean_energy,

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::gravity::STANDARD_GRAVITY;
 use crate::train::{TrainDynamics, TrainState};
-use crate::vehicle::VehicleState;
+use crate::vehicle_state::VehicleState;
 
 /// Work that has been done, J; or the power that does it, W. Traction counts what it gives to the
 /// train, all others what they take from it.

@@ -42,10 +42,11 @@ impl TrainDynamics {
         pipe::note(&mut state.pipe, commands, state.time);
         state.time += step;
         let mut power = Work::default();
-        for (vehicle, own) in self.vehicles.iter_mut().zip(&mut state.vehicles) {
-            pipe::listen(vehicle, own, &state.pipe, state.time);
-            vehicle.operate(own, &commands[vehicle.group.min(commands.len() - 1)], step);
-            vehicle.act(own, &self.track, &self.wind);
+        let members = self.vehicles.iter().zip(&mut self.members);
+        for ((vehicle, member), own) in members.zip(&mut state.vehicles) {
+            pipe::listen(vehicle, member, own, &state.pipe, state.time);
+            vehicle.operate(member, own, &commands[member.group.min(commands.len() - 1)], step);
+            vehicle.act(member, own, &self.track, &self.wind);
             own.kick(vehicle.inverse_inertia, step / 2.0);
             power.add_power(own);
         }
@@ -56,14 +57,15 @@ impl TrainDynamics {
 
     /// Brings the connections to the vehicles' new places.
     fn move_connections(&mut self, state: &mut TrainState) {
+        let Some((mut front, others)) = state.vehicles.split_first_mut() else { return };
         let connections = self.connections.iter_mut().zip(&mut state.connections);
-        for (k, (connection, own)) in connections.enumerate() {
-            let (front, rear) = (&state.vehicles[k], &state.vehicles[k + 1]);
+        for ((connection, own), rear) in connections.zip(others) {
             let deflection = front.position - rear.position - connection.rest_distance();
             let velocity = front.velocity - rear.velocity;
             state.gear_work += connection.move_to(own, deflection, velocity);
-            state.vehicles[k].forces.coupler_rear = own.force;
-            state.vehicles[k + 1].forces.coupler_front = own.force;
+            front.forces.coupler_rear = own.force;
+            rear.forces.coupler_front = own.force;
+            front = rear;
         }
     }
 }

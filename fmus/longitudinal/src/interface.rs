@@ -219,21 +219,20 @@ impl Train {
         values[signals.energy.stored] = energy.stored;
         values[signals.energy.residual] = self.dynamics.energy_residual(train, &energy);
 
-        for (i, signals) in signals.vehicles.iter().enumerate() {
-            let state = &train.vehicles[i];
+        let vehicles = self.dynamics.vehicles().iter().zip(&train.vehicles);
+        for ((vehicle, state), signals) in vehicles.zip(&signals.vehicles) {
             let forces = &state.forces;
             let share = forces.friction_share(state.velocity);
             values[signals.position] = state.position;
             values[signals.velocity] = state.velocity;
-            values[signals.acceleration] = self.dynamics.vehicles()[i].acceleration(state);
+            values[signals.acceleration] = vehicle.acceleration_by(forces, share);
             values[signals.coupler_front] = forces.coupler_front;
             values[signals.coupler_rear] = forces.coupler_rear;
             values[signals.resistance] = share * forces.resistance + forces.wind;
             values[signals.curve_resistance] = share * forces.curve_resistance;
             values[signals.traction] = forces.traction;
             values[signals.brake] = forces.brake;
-            values[signals.wheel_brake_power] =
-                self.dynamics.vehicles()[i].wheel_brake_power(state);
+            values[signals.wheel_brake_power] = vehicle.wheel_brake_power(state);
         }
     }
 }

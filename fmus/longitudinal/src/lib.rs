@@ -9,11 +9,12 @@
 //! | `connection.rs`, `connection_side.rs` | two gears with slack between two vehicles |
 //! | `resistance.rs`, `curve_resistance.rs`, `gravity.rs`, `wind.rs` | what the line does to a vehicle |
 //! | `lever.rs`, `traction.rs`, `dynamic_brake.rs` | what a locomotive does |
-//! | `brake.rs`, `ecp_brake.rs`, `air_brake.rs`, `pipe.rs` | friction brakes by cable and pipe |
+//! | `brake.rs`, `ecp_brake.rs` | friction brakes, by cable |
+//! | `air_brake.rs`, `pipe.rs`, `reservoir.rs` | by pipe: the wave along the train, the air there is |
 //! | `history.rs` | commands on their way |
 //! | `driver/` | who commands: a schedule, profiles, a controller, a logger's file |
-//! | `vehicle.rs` | one mass with all that acts on it |
-//! | `train.rs` | the train: vehicles, connections, track |
+//! | `vehicle.rs`, `vehicle_state.rs` | one mass with all that acts on it |
+//! | `train.rs`, `member.rs`, `build.rs` | the train: vehicles, connections, track; how it is built |
 //! | `start.rs` | the state at the beginning, in balance or unstressed |
 //! | `integrate.rs`, `stability.rs` | the step, and how long it may be |
 //! | `energy.rs` | work of each kind and the energy audit |
@@ -23,6 +24,7 @@
 
 mod air_brake;
 pub mod brake;
+mod build;
 pub mod connection;
 mod connection_side;
 pub mod curve_resistance;
@@ -36,7 +38,9 @@ mod history;
 mod integrate;
 mod interface;
 pub mod lever;
+mod member;
 mod pipe;
+mod reservoir;
 pub mod resistance;
 mod signals;
 mod stability;
@@ -45,14 +49,17 @@ mod totals;
 pub mod traction;
 mod train;
 mod vehicle;
+mod vehicle_state;
 mod wind;
 
+pub use build::BuildError;
 pub use energy::{Energy, Work};
 pub use integrate::LONGEST_STEP;
 pub use interface::{State, Train};
 pub use signals::{Signals, VehicleSignals};
 pub use start::{Couplers, Start};
 pub use totals::Totals;
-pub use train::{BuildError, TrainDynamics, TrainState};
-pub use vehicle::{Forces, Vehicle, VehicleState};
+pub use train::{TrainDynamics, TrainState};
+pub use vehicle::Vehicle;
+pub use vehicle_state::{Forces, VehicleState};
 pub use wind::Wind;

@@ -8,10 +8,14 @@
 //! t_heard = t_group + |x − x_group|/w
 //! ```
 
+use std::sync::Arc;
+
 use crate::brake::EMERGENCY;
 use crate::driver::Command;
 use crate::history::History;
-use crate::vehicle::{Vehicle, VehicleState};
+use crate::member::Member;
+use crate::vehicle::Vehicle;
+use crate::vehicle_state::VehicleState;
 
 /// What a vehicle's brake listens to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,7 +28,7 @@ pub(crate) struct Source {
 
 /// The nearest source of each vehicle; groups are those of the vehicles with traction, and the head
 /// of the train where there are none.
-pub(crate) fn sources(vehicles: &[Vehicle]) -> Vec<Source> {
+pub(crate) fn sources(vehicles: &[Arc<Vehicle>], members: &[Member]) -> Vec<Source> {
     let mut middle = 0.0;
     let middles: Vec<f64> = vehicles
         .iter()
@@ -35,9 +39,10 @@ pub(crate) fn sources(vehicles: &[Vehicle]) -> Vec<Source> {
         .collect();
     let controls: Vec<(usize, f64)> = vehicles
         .iter()
+        .zip(members)
         .zip(&middles)
-        .filter(|(vehicle, _)| vehicle.has_traction())
-        .map(|(vehicle, middle)| (vehicle.group, *middle))
+        .filter(|((vehicle, _), _)| vehicle.has_traction())
+        .map(|((_, member), middle)| (member.group, *middle))
         .collect();
     let head = [(0, middles.first().copied().unwrap_or_default())];
     let controls = if controls.is_empty() { &head[..] } else { &controls };
@@ -51,14 +56,18 @@ pub(crate) fn sources(vehicles: &[Vehicle]) -> Vec<Source> {
 
 /// Histories of the groups' train brakes, long enough for the farthest vehicle; none when no vehicle
 /// listens to the pipe.
-pub(crate) fn histories(vehicles: &[Vehicle], commands: &[Command]) -> Vec<History<f64>> {
-    let delays = vehicles.iter().filter_map(|vehicle| {
-        vehicle.brake.air().map(|air| vehicle.source.distance / air.slowest_wave())
+pub(crate) fn histories(
+    vehicles: &[Arc<Vehicle>],
+    members: &[Member],
+    commands: &[Command],
+) -> Vec<History<f64>> {
+    let delays = vehicles.iter().zip(members).filter_map(|(vehicle, member)| {
+        vehicle.brake.air().map(|air| member.source.distance / air.slowest_wave())
     });
     match delays.reduce(f64::max) {
         None => vec![],
         Some(longest) => {
-            let groups = vehicles.iter().map(|vehicle| vehicle.group).max().unwrap_or_default() + 1;
+            let groups = members.iter().map(|member| member.group).max().unwrap_or_default() + 1;
             let of = |group: usize| commands[group.min(commands.len() - 1)].train_brake;
             (0..groups).map(|group| History::new(longest, of(group))).collect()
         }
@@ -77,12 +86,13 @@ pub(crate) fn note(pipe: &mut [History<f64>], commands: &[Command], time: f64) {
 #[inline]
 pub(crate) fn listen(
     vehicle: &Vehicle,
+    member: &Member,
     state: &mut VehicleState,
     pipe: &[History<f64>],
     time: f64,
 ) {
     let Some(air) = vehicle.brake.air() else { return };
-    let (brake, Source { group, distance }) = (&mut state.brake, vehicle.source);
+    let (brake, Source { group, distance }) = (&mut state.brake, member.source);
     let Some(history) = pipe.get(group) else { return };
     while brake.heard_count < history.count() {
         let (noted, command) = history.change(brake.heard_count);

@@ -240,6 +240,10 @@ fn declare_energy(declaration: &mut Declaration) -> EnergySignals {
 }
 
 fn declare_vehicle(declaration: &mut Declaration, number: usize) -> VehicleSignals {
+    for end in ["front", "rear"] {
+        let description = format!("The {end} coupler of vehicle {number}");
+        declaration.terminal(format!("vehicle[{number}].coupler.{end}"), "coupler", description);
+    }
     let mut output = |name: &str, unit, what: &str| {
         declaration.real(format!("vehicle[{number}].{name}"), unit, what).output()
     };

@@ -11,8 +11,9 @@
 //! λ alike with the damping. The stiffness is that of the locked gears. A law that is blended over a
 //! transition speed v_e has the damping (F_loading − F_unloading)/(2 v_e) besides.
 
+use crate::build::BuildError;
 use crate::integrate::LONGEST_STEP;
-use crate::train::{BuildError, TrainDynamics};
+use crate::train::TrainDynamics;
 
 /// Speed of the gears up to which hydraulic cushions are taken into account, m/s.
 const FASTEST_GEAR: f64 = 3.0;

@@ -13,7 +13,7 @@ use crate::connection::ConnectionState;
 use crate::driver::Command;
 use crate::pipe;
 use crate::train::{TrainDynamics, TrainState};
-use crate::vehicle::{Forces, VehicleState};
+use crate::vehicle_state::{Forces, VehicleState};
 
 /// How the couplers are at the beginning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ impl TrainDynamics {
         for (vehicle, state) in self.vehicles.iter().zip(&mut state.vehicles) {
             vehicle.settle(state, &start.applied);
         }
-        state.pipe = pipe::histories(&self.vehicles, &[start.applied]);
+        state.pipe = pipe::histories(&self.vehicles, &self.members, &[start.applied]);
         self.place(&mut state, start.position);
         if start.couplers == Couplers::InBalance {
             let forces = self.balanced_forces(&state);
@@ -75,7 +75,8 @@ impl TrainDynamics {
                 state.vehicles[i].forces.coupler_front = connection.force;
             }
             state.vehicles[i].position = position;
-            self.vehicles[i].act(&mut state.vehicles[i], &self.track, &self.wind);
+            let (member, own) = (&mut self.members[i], &mut state.vehicles[i]);
+            self.vehicles[i].act(member, own, &self.track, &self.wind);
         }
     }
 

@@ -1,89 +1,29 @@
 //! The train: vehicles, the connections between them, and the track they run on.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use numerics::TableError;
 use serde::{Deserialize, Serialize};
-use stock::{Consist, Library, StockError};
+use stock::{Consist, Library};
 use track::Track;
 
+use crate::build::{BuildError, Shared};
 use crate::connection::{Connection, ConnectionState};
-use crate::draft_gear::DraftGear;
 use crate::energy::{Energy, Work};
 use crate::history::History;
+use crate::member::Member;
 use crate::pipe;
-use crate::vehicle::{Vehicle, VehicleState};
+use crate::vehicle::Vehicle;
+use crate::vehicle_state::VehicleState;
 use crate::wind::Wind;
-
-/// Why a train cannot be built.
-#[derive(Debug, thiserror::Error)]
-pub enum BuildError {
-    /// A rolling-stock file cannot be used.
-    #[error(transparent)]
-    Stock(#[from] StockError),
-    /// A table of a vehicle type cannot be used.
-    #[error("vehicle {vehicle}: {source}")]
-    Table {
-        /// The type's name.
-        vehicle: String,
-        /// Reason.
-        source: TableError,
-    },
-    /// Two neighbours have couplers of different kinds.
-    #[error(
-        "vehicles {number} and {next} of the consist do not fit: the rear coupler of {front} is \
-         {front_kind:?}, the front coupler of {rear} is {rear_kind:?} (coupler.kind)"
-    )]
-    DoNotFit {
-        /// Number of the vehicle in front, from 1.
-        number: usize,
-        /// Number of the vehicle behind it.
-        next: usize,
-        /// Type of the vehicle in front.
-        front: String,
-        /// Kind of its rear coupler.
-        front_kind: String,
-        /// Type of the vehicle behind it.
-        rear: String,
-        /// Kind of its front coupler.
-        rear_kind: String,
-    },
-    /// A hand brake is applied that a vehicle does not have.
-    #[error(
-        "vehicle {number} of the consist: hand_brake = {share}: its type {vehicle} has no section \
-         [hand_brake]"
-    )]
-    NoHandBrake {
-        /// Number of the vehicle in the train, from 1.
-        number: usize,
-        /// Share that is applied.
-        share: f64,
-        /// The type's name.
-        vehicle: String,
-    },
-    /// The step of the model is too long for the train.
-    #[error(
-        "the step of {step} s is longer than the longest stable one, {longest:.2e} s, which vehicles \
-         {number} and {next} set: give their draft gears a greater transition_speed_mm_s or none, \
-         less damping, or less stiffness"
-    )]
-    Unstable {
-        /// Step, s.
-        step: f64,
-        /// Longest stable step, s.
-        longest: f64,
-        /// Vehicle in front of the connection, from 1.
-        number: usize,
-        /// Vehicle behind it.
-        next: usize,
-    },
-}
 
 /// What does not change in a train (but for the places of the last lookups, which speed up the
 /// next ones and have no influence on results).
 #[derive(Clone, Debug)]
 pub struct TrainDynamics {
-    pub(crate) vehicles: Vec<Vehicle>,
+    pub(crate) vehicles: Vec<Arc<Vehicle>>,
+    /// What tells each of the vehicles from others of its type.
+    pub(crate) members: Vec<Member>,
     /// Connection `k` joins the vehicles `k` and `k + 1`.
     pub(crate) connections: Vec<Connection>,
     pub(crate) track: Track,
@@ -135,15 +75,13 @@ impl TrainDynamics {
         let mut train =
             Self::with_gears(members.map(|(v, [front, rear])| (v, front, rear)), track)?;
         for (i, member) in consist.members.iter().enumerate() {
-            let vehicle = &mut train.vehicles[i];
-            vehicle.group = member.group;
-            if !vehicle.brake.apply_hand_brake(member.hand_brake) {
-                return Err(BuildError::NoHandBrake {
-                    number: i + 1,
-                    share: member.hand_brake,
-                    vehicle: consist.types[i].clone(),
-                });
-            }
+            let hand_force = train.vehicles[i].brake.hand_force(member.hand_brake);
+            let hand_force = hand_force.ok_or_else(|| BuildError::NoHandBrake {
+                number: i + 1,
+                share: member.hand_brake,
+                vehicle: consist.types[i].clone(),
+            })?;
+            train.members[i] = Member { group: member.group, hand_force, ..Member::default() };
         }
         train.find_sources();
         Ok(train)
@@ -171,13 +109,9 @@ impl TrainDynamics {
         track: Track,
     ) -> Result<Self, BuildError> {
         let members: Vec<_> = members.into_iter().collect();
-        let of = |vehicle: &stock::Vehicle| {
-            let vehicle = vehicle.name.clone();
-            move |source| BuildError::Table { vehicle, source }
-        };
-        let vehicles =
-            members.iter().map(|(vehicle, ..)| Vehicle::new(vehicle).map_err(of(vehicle)));
-        let connections = members.windows(2).enumerate().map(|(k, pair)| {
+        let mut shared = Shared::default();
+        let mut connections = Vec::with_capacity(members.len());
+        for (k, pair) in members.windows(2).enumerate() {
             let ((front, _, front_gear), (rear, rear_gear, _)) = (pair[0], pair[1]);
             if front.coupler.rear_kind() != rear.coupler.kind {
                 return Err(BuildError::DoNotFit {
@@ -189,41 +123,41 @@ impl TrainDynamics {
                     rear_kind: rear.coupler.kind.clone(),
                 });
             }
-            Ok(Connection::new(
-                &DraftGear::new(front_gear).map_err(of(front))?,
-                &DraftGear::new(rear_gear).map_err(of(rear))?,
+            connections.push(Connection::new(
+                shared.gears([(front, front_gear), (rear, rear_gear)])?,
                 (front.coupler.rear_slack_mm() + rear.coupler.slack_mm) * 1e-3,
                 (front.length_m + rear.length_m) / 2.0,
-            ))
-        });
-        let mut train = Self {
-            vehicles: vehicles.collect::<Result<_, BuildError>>()?,
-            connections: connections.collect::<Result<_, BuildError>>()?,
-            track,
-            wind: Wind::default(),
-        };
+            ));
+        }
+        let vehicles = members.iter().map(|(vehicle, ..)| shared.vehicle(vehicle));
+        let vehicles: Vec<_> = vehicles.collect::<Result<_, _>>()?;
+        let members = vec![Member::default(); vehicles.len()];
+        let mut train = Self { vehicles, members, connections, track, wind: Wind::default() };
         train.find_sources();
         Ok(train)
     }
 
     /// Finds what each vehicle's air brake listens to.
     fn find_sources(&mut self) {
-        let sources = pipe::sources(&self.vehicles);
-        for (vehicle, source) in self.vehicles.iter_mut().zip(sources) {
-            vehicle.source = source;
+        let sources = pipe::sources(&self.vehicles, &self.members);
+        for (member, source) in self.members.iter_mut().zip(sources) {
+            member.source = source;
         }
     }
 
     /// Number of the groups of locomotives.
     pub fn groups(&self) -> usize {
-        self.vehicles.iter().map(|vehicle| vehicle.group).max().map_or(1, |last| last + 1)
+        self.members.iter().map(|member| member.group).max().map_or(1, |last| last + 1)
     }
 
     /// Force that the line takes from the train when all of it is `ahead`, m, further on, at a
     /// speed, m/s, in N.
     pub fn demand(&self, state: &TrainState, ahead: f64, speed: f64) -> f64 {
-        let pairs = self.vehicles.iter().zip(&state.vehicles);
-        pairs.map(|(v, own)| v.demand(own.position + ahead, speed, &self.track)).sum()
+        let vehicles = self.vehicles.iter().zip(&self.members).zip(&state.vehicles);
+        let demand = |((vehicle, member), own): ((&Arc<Vehicle>, &Member), &VehicleState)| {
+            vehicle.demand(own.position + ahead, speed, &self.track, member.track_index)
+        };
+        vehicles.map(demand).sum()
     }
 
     /// Mass of the train with that of the rotating parts' inertia, kg.
@@ -232,7 +166,7 @@ impl TrainDynamics {
     }
 
     /// The vehicles from the head of the train.
-    pub fn vehicles(&self) -> &[Vehicle] {
+    pub fn vehicles(&self) -> &[Arc<Vehicle>] {
         &self.vehicles
     }
 

@@ -1,7 +1,6 @@
 //! One mass of the train with all that acts on it.
 
 use numerics::TableError;
-use serde::{Deserialize, Serialize};
 use track::{Track, TrackPoint};
 
 use crate::brake::{Brake, BrakeState};
@@ -10,12 +9,13 @@ use crate::driver::Command;
 use crate::dynamic_brake::DynamicBrake;
 use crate::gravity;
 use crate::lever;
-use crate::pipe::Source;
+use crate::member::Member;
 use crate::resistance::Resistance;
 use crate::traction::Traction;
+use crate::vehicle_state::{Forces, VehicleState};
 use crate::wind::Wind;
 
-/// What does not change in a vehicle.
+/// What does not change in a vehicle; vehicles of a type share it.
 #[derive(Clone, Debug)]
 pub struct Vehicle {
     /// Mass, kg.
@@ -31,91 +31,8 @@ pub struct Vehicle {
     pub(crate) brake: Brake,
     traction: Option<Traction>,
     dynamic_brake: Option<DynamicBrake>,
-    /// Group of locomotives whose commands it follows.
-    pub(crate) group: usize,
-    /// What its brake listens to, if the pipe commands it.
-    pub(crate) source: Source,
     /// Whether gradient and curve act over the whole length.
     along_its_length: bool,
-    /// Places of the last lookups in the track.
-    track_index: [usize; 2],
-}
-
-/// What changes in a vehicle.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct VehicleState {
-    /// Chainage of the vehicle's middle, m.
-    pub position: f64,
-    /// Velocity in the running direction, m/s.
-    pub velocity: f64,
-    /// Elevation of the track at the vehicle's middle, or the mean over its length, m.
-    pub elevation: f64,
-    /// Place of the drive between full dynamic brake (−1) and the highest notch (1).
-    pub lever: f64,
-    /// Friction brake.
-    pub brake: BrakeState,
-    /// What acts on the vehicle.
-    pub forces: Forces,
-}
-
-/// The forces on a vehicle, N.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Forces {
-    /// Force of the front coupler, tension positive: pulls forward.
-    pub coupler_front: f64,
-    /// Force of the rear coupler, tension positive: pulls backward.
-    pub coupler_rear: f64,
-    /// Force of the drive at the wheel rims: traction positive, dynamic brake negative when
-    /// running forward.
-    pub traction: f64,
-    /// Force of the gradient, forward downhill.
-    pub gravity: f64,
-    /// What the wind adds to the propulsion resistance, positive forward.
-    pub wind: f64,
-    /// Greatest propulsion resistance, ≥ 0.
-    pub resistance: f64,
-    /// Greatest curve resistance, ≥ 0.
-    pub curve_resistance: f64,
-    /// Greatest friction force of the brake shoes, ≥ 0.
-    pub brake: f64,
-}
-
-impl Forces {
-    /// Sum of the forces that can set the vehicle in motion.
-    pub fn driving(&self) -> f64 {
-        self.traction + self.gravity + self.wind + self.coupler_front - self.coupler_rear
-    }
-
-    /// Sum of the forces that can only stop it.
-    pub fn resisting(&self) -> f64 {
-        self.resistance + self.curve_resistance + self.brake
-    }
-
-    /// The share, from −1 to 1, with which each resisting force acts in the running direction: all
-    /// of it against the motion; at standstill as much as holds the vehicle.
-    pub fn friction_share(&self, velocity: f64) -> f64 {
-        if velocity != 0.0 {
-            return -1.0_f64.copysign(velocity);
-        }
-        match self.resisting() {
-            0.0 => 0.0,
-            resisting => (-self.driving() / resisting).clamp(-1.0, 1.0),
-        }
-    }
-}
-
-impl VehicleState {
-    /// Adds the impulse of the forces over a time `step`, s; resisting forces stop the vehicle but
-    /// do not turn it back, so that a braked vehicle comes to exactly zero (theory, eq. 3).
-    #[inline]
-    pub(crate) fn kick(&mut self, inverse_inertia: f64, step: f64) {
-        let free = self.velocity + step * inverse_inertia * self.forces.driving();
-        let loss = step * inverse_inertia * self.forces.resisting();
-        self.velocity = match free.abs() > loss {
-            true => free - loss.copysign(free),
-            false => 0.0,
-        };
-    }
 }
 
 impl Vehicle {
@@ -136,10 +53,7 @@ impl Vehicle {
             brake: Brake::new(file)?,
             traction: traction.map(|t| Traction::new(t, file.mass_kg)).transpose()?,
             dynamic_brake: dynamic_brake.map(DynamicBrake::new).transpose()?,
-            group: 0,
-            source: Source::default(),
             along_its_length: file.along_its_length,
-            track_index: [0; 2],
         })
     }
 
@@ -179,56 +93,95 @@ impl Vehicle {
     /// Acceleration that the forces on the vehicle give it, m/s².
     pub fn acceleration(&self, state: &VehicleState) -> f64 {
         let share = state.forces.friction_share(state.velocity);
-        (state.forces.driving() + share * state.forces.resisting()) * self.inverse_inertia
+        self.acceleration_by(&state.forces, share)
+    }
+
+    /// The same with the share of the resisting forces that acts.
+    #[inline]
+    pub(crate) fn acceleration_by(&self, forces: &Forces, friction_share: f64) -> f64 {
+        (forces.driving() + friction_share * forces.resisting()) * self.inverse_inertia
     }
 
     /// Moves drive and brake over a time `step`, s.
     #[inline]
-    pub fn operate(&self, state: &mut VehicleState, command: &Command, step: f64) {
+    pub(crate) fn operate(
+        &self,
+        member: &Member,
+        state: &mut VehicleState,
+        command: &Command,
+        step: f64,
+    ) {
         if self.traction.is_some() || self.dynamic_brake.is_some() {
             state.lever = self.lever(state.lever, command.lever(), step);
         }
-        let (train, locomotive) = (command.train_brake, command.locomotive_brake);
-        self.brake.advance(&mut state.brake, train, locomotive, step);
+        let commands = [command.train_brake, command.locomotive_brake];
+        self.brake.advance(&mut state.brake, commands, member.source.distance, step);
     }
 
     /// Finds the forces, but for those of the couplers, where the vehicle is; `wind` is the speed
     /// of the air and the angle that it comes from, against the heading of the track's beginning.
     #[inline]
-    pub fn act(&mut self, state: &mut VehicleState, track: &Track, wind: &Wind) {
-        let place = self.place(state.position, track);
+    pub(crate) fn act(
+        &self,
+        member: &mut Member,
+        state: &mut VehicleState,
+        track: &Track,
+        wind: &Wind,
+    ) {
+        let line = self.line(state.position, track, &mut member.track_index);
         let speed = state.velocity.abs();
-        state.elevation = place.elevation;
+        state.elevation = line.elevation;
         state.forces.traction = self.drive_force(state);
-        state.forces.gravity = gravity::force(self.mass, place.gradient);
+        state.forces.gravity = gravity::force(self.mass, line.gradient);
         state.forces.resistance = self.resistance.force(speed);
         state.forces.wind = match wind.speed {
             0.0 => 0.0,
-            _ => self.resistance.wind(state.velocity, wind.against(place.heading)),
+            _ => {
+                let heading = self.heading(state.position, track, &mut member.track_index);
+                self.resistance.wind(state.velocity, wind.against(heading))
+            }
         };
-        state.forces.curve_resistance = self.curve_resistance.force(place.curvature);
-        state.forces.brake = self.brake.force(&state.brake, speed);
+        state.forces.curve_resistance = self.curve_resistance.force(line.curvature);
+        state.forces.brake = self.brake.force(member, &state.brake, speed);
     }
 
     /// Force that the line takes from the vehicle at a place, m, and a speed, m/s, in N: what it
-    /// needs to keep its speed there.
-    pub(crate) fn demand(&self, position: f64, speed: f64, track: &Track) -> f64 {
-        let [mut first, mut second] = self.track_index;
-        let place = match self.along_its_length {
-            false => track.at(position, &mut first),
-            true => mean_place(position, self.length, track, &mut first, &mut second),
-        };
-        self.resistance.force(speed) + self.curve_resistance.force(place.curvature)
-            - gravity::force(self.mass, place.gradient)
+    /// needs to keep its speed there. `index` are the places of lookups near by.
+    pub(crate) fn demand(
+        &self,
+        position: f64,
+        speed: f64,
+        track: &Track,
+        mut index: [usize; 2],
+    ) -> f64 {
+        let line = self.line(position, track, &mut index);
+        self.resistance.force(speed) + self.curve_resistance.force(line.curvature)
+            - gravity::force(self.mass, line.gradient)
     }
 
-    /// Track at the vehicle's middle, or its mean over the vehicle's length.
+    /// The line at the vehicle's middle, or its mean over the vehicle's length; `index` are the places
+    /// of the last lookups.
     #[inline]
-    fn place(&mut self, position: f64, track: &Track) -> TrackPoint {
-        let [first, second] = &mut self.track_index;
+    fn line(&self, position: f64, track: &Track, index: &mut [usize; 2]) -> Line {
+        if self.along_its_length {
+            return mean_line(position, self.length, track, index);
+        }
+        let place = track.place(position, &mut index[0]);
+        Line {
+            gradient: place.gradient(),
+            elevation: place.elevation(),
+            curvature: place.curvature(),
+        }
+    }
+
+    /// Heading of the track, as [`Self::line`].
+    fn heading(&self, position: f64, track: &Track, index: &mut [usize; 2]) -> f64 {
         match self.along_its_length {
-            false => track.at(position, first),
-            true => mean_place(position, self.length, track, first, second),
+            false => track.place(position, &mut index[0]).heading(),
+            true => {
+                let [front, rear] = ends(position, self.length, track, index);
+                (front.heading_integral - rear.heading_integral) / self.length
+            }
         }
     }
 
@@ -254,22 +207,26 @@ impl Vehicle {
     }
 }
 
-/// The means of gradient, curvature, heading and elevation over a length around a place. A vehicle
-/// across a change of hand counts the curvature that is left of both.
-fn mean_place(
-    position: f64,
-    length: f64,
-    track: &Track,
-    first: &mut usize,
-    second: &mut usize,
-) -> TrackPoint {
-    let front = track.at(position + length / 2.0, first);
-    let rear = track.at(position - length / 2.0, second);
-    TrackPoint {
+/// What the track does to a vehicle.
+struct Line {
+    gradient: f64,
+    elevation: f64,
+    curvature: f64,
+}
+
+/// The means over a length around a place. A vehicle across a change of hand counts the curvature that
+/// is left of both.
+fn mean_line(position: f64, length: f64, track: &Track, index: &mut [usize; 2]) -> Line {
+    let [front, rear] = ends(position, length, track, index);
+    Line {
         gradient: (front.elevation - rear.elevation) / length,
         elevation: (front.elevation_integral - rear.elevation_integral) / length,
         curvature: (front.heading - rear.heading) / length,
-        heading: (front.heading_integral - rear.heading_integral) / length,
-        ..front
     }
+}
+
+/// The track at the front and at the rear of a length around a place.
+fn ends(position: f64, length: f64, track: &Track, index: &mut [usize; 2]) -> [TrackPoint; 2] {
+    let [first, second] = index;
+    [track.at(position + length / 2.0, first), track.at(position - length / 2.0, second)]
 }

@@ -4,19 +4,19 @@
 //! `wheels` has no conduction step, `conduction` one interval of 50 ms: the average step costs
 //! wheels + conduction / 50.
 
+mod train;
+
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use railheat::creep_force::Contact;
 use railheat::flash_temperature::Friction;
 use railheat::material::Material;
 use railheat::paper::{Paper, Parameters};
 use railheat::rail::Grid;
 use railheat::surface::{Surface, Weather};
 use railheat::wheels::Wheel;
+use train::{SPEED, VEHICLES, wheels};
 
-const VEHICLES: usize = 130;
-const SPEED: f64 = 16.67;
 const WEATHER: Weather = Weather { ambient: 298.15, irradiance: 1366.0 };
 
 /// The end of the conduction interval that comes next never arrives in `wheels`: each iteration
@@ -44,30 +44,18 @@ fn model() -> Paper {
     Paper::new(parameters, 6 * VEHICLES, 0.0).expect("a stable interval")
 }
 
-/// All wheels, the leading vehicle with its middle at `head`.
-fn place(wheels: &mut [Wheel], head: f64) {
-    for (index, wheel) in wheels.iter_mut().enumerate() {
-        let offsets = [7.2, 5.4, 3.6, -3.6, -5.4, -7.2];
-        *wheel = Wheel {
-            position: head - 20.0 * (index / 6) as f64 + offsets[index % 6],
-            speed: SPEED,
-            creepage: 1e-3 / (1 + index / 6) as f64,
-            contact: Contact { normal_force: 109_500.0, a: 0.0063, b: 0.0063 },
-            ..Wheel::default()
-        };
-    }
-}
-
 /// A model over which the train has run for 200 s.
 fn after_the_run() -> (Paper, Vec<Wheel>) {
     let mut model = model();
-    let mut wheels = vec![Wheel::default(); 6 * VEHICLES];
+    let at = |time: f64| {
+        let creepage = |vehicle: usize| 1e-3 / (1 + vehicle) as f64;
+        wheels(SPEED * time, |vehicle, wheel| Wheel { creepage: creepage(vehicle), ..wheel })
+    };
     for step in 0..200 {
         let start = f64::from(step);
-        place(&mut wheels, SPEED * (start + 1.0));
-        model.step(&wheels, &WEATHER, start, 1.0);
+        model.step(&at(start + 1.0), &WEATHER, start, 1.0);
     }
-    (model, wheels)
+    (model, at(200.0))
 }
 
 fn step(criterion: &mut Criterion) {

@@ -8,20 +8,18 @@
 //! The friction power of each wheel is put in by its energy per metre (T-gamma), an assumption of each case;
 //! everything else is the model. The middle of 5 m of track is read, 30 min after the train.
 
-use railheat::creep_force::Contact;
+#[path = "../benches/train/mod.rs"]
+mod train;
+
 use railheat::energy::bending::Beam;
 use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution, Start, TrainWeather};
+use railheat::energy::parameters::{Line, Parameters, TrainWeather};
 use railheat::energy::sun::Sun;
-use railheat::energy::weather::{Exchange, Weather};
+use railheat::energy::weather::Weather;
 use railheat::energy::wheels::WheelHeat;
-use railheat::material::Material;
 use railheat::section::RailFile;
 use railheat::wheels::Wheel;
-
-const VEHICLES: usize = 130;
-const SPEED: f64 = 16.67;
-const WHEEL_OFFSETS: [f64; 6] = [7.2, 5.4, 3.6, -3.6, -5.4, -7.2];
+use train::{SPEED, VEHICLES};
 
 /// A clear night, and a summer's day with the sun high at the side.
 const NIGHT: Weather = Weather {
@@ -95,49 +93,19 @@ const CASES: [Case; 11] = [
 ];
 
 fn model(case: &Case) -> Energy {
-    let rail = RailFile::open("AS60").expect("a section that is built in");
-    let outline = rail.outline();
-    let section = outline.properties();
+    let outline = RailFile::open("AS60").expect("a section that is built in").outline();
+    let base = Parameters::new(outline, Line { begin: 0.0, element_length: 0.1, elements: 50 });
     let parameters = Parameters {
-        line: Line { begin: 0.0, element_length: 0.1, elements: 50 },
-        resolution: Resolution::Plane,
         cell_size: 0.004,
-        shortest: 0.0,
-        interval: 1.0,
-        material: Material::PAPER,
         wheel: WheelHeat {
-            partition: 0.5,
-            capacity: 160e3,
-            cooling: 40.0,
             initial_rise: case.wheel_rise,
             contact_quality: case.conduction,
+            ..base.wheel
         },
-        beam: Beam {
-            modulus: 207e9,
-            second_moment: section.second_moment,
-            to_foot: outline.height() - section.centroid,
-            track_modulus: 35e6,
-            expansion: 11.5e-6,
-            loss_factor: case.loss_factor,
-        },
-        exchange: Exchange {
-            convection: 6.0,
-            emissivity: 0.75,
-            absorptivity: 0.75,
-            filter: 1.0,
-            cold_sky: false,
-            pad: 0.0,
-            track_azimuth: 0.0,
-        },
-        train: TrainWeather {
-            shade: case.weather.direct > 0.0,
-            wind_share: case.wind_share,
-            overhang: 2.8,
-        },
-        start: Start::Equilibrium,
+        beam: Beam { loss_factor: case.loss_factor, ..base.beam },
+        train: TrainWeather { wind_share: case.wind_share, ..base.train },
         depths: vec![0.06],
-        threshold: 0.015,
-        outline,
+        ..base
     };
     Energy::new(parameters, &[6; VEHICLES], &case.weather, 0.0)
         .expect("a section of some 500 cells")
@@ -145,19 +113,10 @@ fn model(case: &Case) -> Energy {
 
 /// All wheels at a time; the leading wheel comes to the track's beginning at its start.
 fn train(case: &Case, time: f64) -> Vec<Wheel> {
-    let head = SPEED * time - WHEEL_OFFSETS[0];
-    let wheel = |index: usize| {
-        let (vehicle, place) = (index / 6, index % 6);
+    train::wheels(SPEED * time, |vehicle, wheel| {
         let per_metre = if vehicle < 2 { case.locomotives } else { case.wagons };
-        Wheel {
-            position: head - 20.0 * vehicle as f64 + WHEEL_OFFSETS[place],
-            speed: SPEED,
-            contact: Contact { normal_force: 109_500.0, a: 0.0063, b: 0.0063 },
-            friction_power: per_metre * SPEED,
-            ..Wheel::default()
-        }
-    };
-    (0..6 * VEHICLES).map(wheel).collect()
+        Wheel { friction_power: per_metre * SPEED, ..wheel }
+    })
 }
 
 fn main() {

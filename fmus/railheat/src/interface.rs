@@ -3,14 +3,18 @@
 use std::borrow::Cow;
 use std::path::Path;
 
+use field::FieldError;
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
 
+use crate::checks;
 use crate::energy::model::Energy;
 use crate::energy::weather::Weather;
 use crate::field_file::FieldFile;
 use crate::file::Shape;
 use crate::heat::{Heat, State};
 use crate::paper::{Paper, Stray};
+use crate::parameters_energy::{self, Place};
+use crate::parameters_site;
 use crate::signals::Signals;
 use crate::weather_file::WeatherFile;
 use crate::wheels::Wheel;
@@ -46,17 +50,18 @@ impl Model for RailHeat {
     fn initialize(
         signals: &Signals,
         values: &mut Values,
-        _resources: &Path,
+        resources: &Path,
         start_time: f64,
-        _log: &mut Log,
+        log: &mut Log,
     ) -> Result<Self, ModelError> {
         let file = open_weather(signals, values)?;
         let weather = weather_at(file.as_ref(), signals, values, start_time)?;
-        let model = build(signals, values, &weather, start_time)?;
+        let at = Beginning { file: file.as_ref(), resources, weather: &weather, time: start_time };
+        let model = build(signals, values, &at)?;
         let wheels = vec![Wheel::default(); signals.wheels.len()];
         let rail_heat = Self {
-            probes: probe_elements(&signals.shape, &model)?,
-            field: begin_field(signals, values, start_time, &model)?,
+            probes: checks::probe_elements(&signals.shape, &model)?,
+            field: begin_field(signals, values, start_time, &model, log)?,
             weather: file,
             wheels,
             model,
@@ -74,7 +79,7 @@ impl Model for RailHeat {
     ) -> Result<(), ModelError> {
         for (wheel, inputs) in self.wheels.iter_mut().zip(&signals.wheels) {
             *wheel = inputs.read(values);
-            check(wheel, &inputs.name)?;
+            checks::wheel(wheel, &inputs.name)?;
         }
         let Interval { start, length } = interval;
         let weather = weather_at(self.weather.as_ref(), signals, values, start + 0.5 * length)?;
@@ -139,12 +144,8 @@ impl RailHeat {
         let Err(error) = field.write_if_due(time, &self.model) else {
             return Ok(());
         };
-        if values[signals.parameters.field_failure] != "go_on" {
-            return Err(ModelError::from_error(error));
-        }
-        log.warning(format!("{error}; the run goes on without writing the field"));
         self.field = None;
-        Ok(())
+        field_failed(signals, values, error, log)
     }
 
     fn sentence(&self, signals: &Signals, stray: Stray, time: f64) -> String {
@@ -160,23 +161,28 @@ impl RailHeat {
     }
 }
 
+/// Where and when the model begins.
+struct Beginning<'b> {
+    file: Option<&'b WeatherFile>,
+    resources: &'b Path,
+    weather: &'b Weather,
+    time: f64,
+}
+
 /// The model that the parameters choose, at its start.
-fn build(
-    signals: &Signals,
-    values: &Values,
-    weather: &Weather,
-    start_time: f64,
-) -> Result<Heat, ModelError> {
+fn build(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Heat, ModelError> {
     let Shape { wheelsets, depths, .. } = &signals.shape;
     match values[signals.parameters.model].as_str() {
         "paper" => {
-            let parameters = signals.parameters.read(values, weather, depths)?;
-            let paper = Paper::new(parameters, signals.wheels.len(), start_time);
+            let parameters = signals.parameters.read(values, at.weather, depths)?;
+            let paper = Paper::new(parameters, signals.wheels.len(), at.time);
             paper.map(|paper| Heat::Paper(Box::new(paper))).map_err(ModelError::from_error)
         }
         "energy" => {
-            let parameters = signals.parameters_energy.read(&signals.parameters, values, depths)?;
-            let energy = Energy::new(parameters, wheelsets, weather, start_time);
+            let place = place(signals, values, at)?;
+            let parameters =
+                signals.parameters_energy.read(&signals.parameters, place, values, depths)?;
+            let energy = Energy::new(parameters, wheelsets, at.weather, at.time);
             energy.map(|energy| Heat::Energy(Box::new(energy))).map_err(ModelError::from_error)
         }
         other => {
@@ -184,6 +190,30 @@ fn build(
             Err(ModelError::new(sentence))
         }
     }
+}
+
+/// Where the track runs, where the sun stands and what day it is.
+fn place(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Place, ModelError> {
+    let site = &signals.site;
+    let line = parameters_energy::line(&signals.parameters, values)?;
+    let ephemeris = site.ephemeris(values)?;
+    if ephemeris.is_none() && at.file.is_some_and(|file| !file.has_sun()) {
+        return Err(ModelError::new(
+            "weather_file has no columns for the sun: site.date_time must say when it is",
+        ));
+    }
+    let weather = |time: f64| weather_at(at.file, signals, values, time);
+    let day = match values[site.day] {
+        true => Some(parameters_site::day(weather, ephemeris.as_ref(), at.time)?),
+        false => None,
+    };
+    Ok(Place {
+        azimuth: site.azimuth(values, at.resources, &line)?,
+        shade: site.body(values)?,
+        ephemeris,
+        day,
+        line,
+    })
 }
 
 /// The weather file, if there is one.
@@ -206,81 +236,17 @@ fn weather_at(
         return file.at(time).map_err(ModelError::from_error);
     }
     let weather = signals.weather(values);
-    check_weather(&weather)?;
+    checks::weather(&weather)?;
     Ok(weather)
 }
 
-/// Refuses weather that cannot be.
-fn check_weather(weather: &Weather) -> Result<(), ModelError> {
-    let Weather { ambient, wind, direct, diffuse, sun } = *weather;
-    if !(ambient > 0.0 && direct.is_finite()) {
-        return Err(ModelError::new(format!(
-            "ambient.temperature = {ambient} K, solar.irradiance = {direct} W/m2: the first must be \
-             above zero and the second a finite number"
-        )));
-    }
-    if !(wind >= 0.0 && diffuse >= 0.0 && sun.elevation.is_finite() && sun.azimuth.is_finite()) {
-        return Err(ModelError::new(format!(
-            "wind.speed = {wind} m/s, solar.diffuse = {diffuse} W/m2, solar.elevation = {} rad, \
-             solar.azimuth = {} rad: the first two must not be negative, all finite numbers",
-            sun.elevation, sun.azimuth
-        )));
-    }
-    Ok(())
-}
-
-/// Refuses inputs of a wheel that make no sense.
-fn check(wheel: &Wheel, name: &str) -> Result<(), ModelError> {
-    let contact = &wheel.contact;
-    let heat = [wheel.friction_power, wheel.brake_power, wheel.lateral_position];
-    if !heat.iter().all(|value| value.is_finite()) {
-        return Err(ModelError::new(format!(
-            "{name}: friction_power {} W, brake_power {} W and contact.lateral_position {} m must \
-             be finite numbers",
-            wheel.friction_power, wheel.brake_power, wheel.lateral_position
-        )));
-    }
-    let all = [wheel.position, wheel.speed, wheel.creepage, contact.normal_force];
-    if !all.iter().all(|value| value.is_finite()) {
-        return Err(ModelError::new(format!(
-            "{name}: position {} m, speed {} m/s, longitudinal creepage {} and normal force {} N \
-             must be finite numbers",
-            wheel.position, wheel.speed, wheel.creepage, contact.normal_force
-        )));
-    }
-    if contact.normal_force > 0.0 && !(contact.a > 0.0 && contact.b > 0.0) {
-        return Err(ModelError::new(format!(
-            "{name}: contact.a = {} m, contact.b = {} m: must be greater than zero while the \
-             normal force is ({} N)",
-            contact.a, contact.b, contact.normal_force
-        )));
-    }
-    Ok(())
-}
-
-/// The element in which each probe lies.
-fn probe_elements(shape: &Shape, model: &Heat) -> Result<Vec<usize>, ModelError> {
-    let span = model.span();
-    let element = |&chainage: &f64| {
-        if (span.begin..span.end()).contains(&chainage) {
-            let place = ((chainage - span.begin) / span.element_length) as usize;
-            return Ok(place.min(span.elements - 1));
-        }
-        Err(ModelError::new(format!(
-            "probe at chainage_m = {chainage}: must lie on the modelled track from {} m to {} m",
-            span.begin,
-            span.end()
-        )))
-    };
-    shape.probes.iter().map(element).collect()
-}
-
-/// Begins the field's file, if one is wanted.
+/// Begins the field's file, if one is wanted; what a failure means is the user's choice.
 fn begin_field(
     signals: &Signals,
     values: &Values,
     start_time: f64,
     model: &Heat,
+    log: &mut Log,
 ) -> Result<Option<FieldFile>, ModelError> {
     let path = &values[signals.parameters.field_file];
     if path.is_empty() {
@@ -296,7 +262,22 @@ fn begin_field(
         let sentence = format!("field_interval = {interval}: must be greater than zero");
         return Err(ModelError::new(sentence));
     }
-    FieldFile::create(Path::new(path), interval, start_time, model)
-        .map(Some)
-        .map_err(ModelError::from_error)
+    match FieldFile::create(Path::new(path), interval, start_time, model) {
+        Ok(field) => Ok(Some(field)),
+        Err(error) => field_failed(signals, values, error, log).map(|()| None),
+    }
+}
+
+/// Stops the run, or says that it goes on without the field, as the user has chosen.
+fn field_failed(
+    signals: &Signals,
+    values: &Values,
+    error: FieldError,
+    log: &mut Log,
+) -> Result<(), ModelError> {
+    if values[signals.parameters.field_failure] != "go_on" {
+        return Err(ModelError::from_error(error));
+    }
+    log.warning(format!("{error}; the run goes on without writing the field"));
+    Ok(())
 }

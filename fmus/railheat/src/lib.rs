@@ -25,6 +25,7 @@
 //! | `file.rs` | `railheat.toml`: the wheels and probes that shape the interface |
 //! | `parameters*.rs`, `signals*.rs` | the FMU's variables |
 //! | `interface.rs` | the model as an FMU |
+//! | `checks.rs` | what makes no sense is refused in words |
 //! | `field_file.rs` | when a snapshot of the field is written |
 //!
 //! Equations are numbered in `docs/theory/railheat.md`, which also lists where the paper's text
@@ -32,6 +33,7 @@
 //! temperatures of the rail are rises above its initial temperature.
 
 pub mod audit;
+mod checks;
 pub mod column;
 pub mod creep_force;
 pub mod energy;
@@ -44,6 +46,7 @@ pub mod material;
 pub mod paper;
 mod parameters;
 mod parameters_energy;
+mod parameters_site;
 pub mod rail;
 pub mod section;
 mod signals;

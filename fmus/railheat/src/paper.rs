@@ -136,7 +136,12 @@ impl Paper {
             if next > start + length + SAME_TIME {
                 break;
             }
-            let share = ((next - start) / length).clamp(done, 1.0);
+            // An interval that ends with the step must not, by rounding of the time, leave a rest
+            // of it, in which the wheels would heat again what they have just passed.
+            let share = match next > start + length - SAME_TIME {
+                true => 1.0,
+                false => ((next - start) / length).clamp(done, 1.0),
+            };
             self.pass(wheels, done, share);
             self.conduct(weather);
             done = share;
@@ -145,7 +150,7 @@ impl Paper {
             self.pass(wheels, done, 1.0);
         }
         for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
-            *position = Some(wheel.position);
+            *position = wheel.place();
         }
         self.stray(wheels)
     }

@@ -3,9 +3,13 @@
 use fmu::{Boolean, Declaration, ModelError, Real, Text, Values, unit};
 
 use crate::energy::bending::Beam;
+use crate::energy::ephemeris::Ephemeris;
+use crate::energy::initial::Day;
 use crate::energy::parameters::{Line, Parameters, Resolution, Start, TrainWeather};
+use crate::energy::shadow::Body;
 use crate::energy::weather::Exchange;
 use crate::energy::wheels::WheelHeat;
+use crate::energy::zones::Azimuth;
 use crate::parameters::{ParameterSignals, not_negative, positive, share, whole, wrong};
 use crate::section::RailFile;
 
@@ -22,9 +26,8 @@ pub(crate) struct EnergyParameterSignals {
     interval: Real,
     threshold: Real,
     cold_sky: Boolean,
+    along: Boolean,
     pad: Real,
-    track_azimuth: Real,
-    shade: Boolean,
     wind_share: Real,
     overhang: Real,
     wheel_capacity: Real,
@@ -49,10 +52,10 @@ impl EnergyParameterSignals {
             "Section of model energy: \"2d\" or \"column\" (area by depth)",
             "2d",
         );
-        let shade = declaration.boolean_parameter(
-            "train.shade",
-            "Whether the vehicles keep the sun off the rail",
-            true,
+        let along = declaration.boolean_parameter(
+            "section.along",
+            "Whether heat is conducted along the track too; for joints and burns, with elements of some cm",
+            false,
         );
         let cold_sky = declaration.boolean_parameter(
             "sky.cold",
@@ -65,7 +68,7 @@ impl EnergyParameterSignals {
         Self {
             rail,
             resolution,
-            shade,
+            along,
             cold_sky,
             cell_size: real(
                 "section.cell_size",
@@ -108,19 +111,19 @@ impl EnergyParameterSignals {
                 "train.overhang",
                 unit::METRE,
                 "How far a vehicle reaches beyond its first and last wheel",
-                2.8,
+                TrainWeather::TYPICAL.overhang,
             ),
             wheel_capacity: real(
                 "wheel.heat_capacity",
                 unit::JOULE_PER_KELVIN,
                 "Heat capacity of a wheel; about 350 kg",
-                160e3,
+                WheelHeat::TYPICAL.capacity,
             ),
             wheel_cooling: real(
                 "wheel.cooling",
                 unit::WATT_PER_KELVIN,
                 "Heat that a wheel gives to the air per time and temperature difference",
-                40.0,
+                WheelHeat::TYPICAL.cooling,
             ),
             wheel_rise: real(
                 "wheel.initial_rise",
@@ -134,32 +137,30 @@ impl EnergyParameterSignals {
                 "Conductance of the contact over that of a perfect one; zero: no rail chill",
                 1.0,
             ),
-            modulus: real("rail.modulus", unit::PASCAL, "Young's modulus of the rail", 207e9),
+            modulus: real(
+                "rail.modulus",
+                unit::PASCAL,
+                "Young's modulus of the rail",
+                Beam::TYPICAL.modulus,
+            ),
             track_modulus: real(
                 "track.modulus",
                 unit::PASCAL,
                 "Track modulus: force per length of rail and deflection",
-                35e6,
+                Beam::TYPICAL.track_modulus,
             ),
             expansion: real(
                 "rail.expansion",
                 unit::PER_KELVIN,
                 "Coefficient of thermal expansion; zero: no thermoelastic effect",
-                11.5e-6,
+                Beam::TYPICAL.expansion,
             ),
             loss_factor: real(
                 "rail.loss_factor",
                 unit::ONE,
                 "Loss factor of the rail's steel; zero: no heat by hysteresis",
-                2e-4,
+                Beam::TYPICAL.loss_factor,
             ),
-            track_azimuth: declaration
-                .real(
-                    "track.azimuth",
-                    unit::RADIAN,
-                    "Azimuth of the running direction, from north over east",
-                )
-                .parameter(0.0),
         }
     }
 
@@ -167,15 +168,20 @@ impl EnergyParameterSignals {
     pub(crate) fn read(
         &self,
         common: &ParameterSignals,
+        place: Place,
         values: &Values,
         depths: &[f64],
     ) -> Result<Parameters, ModelError> {
+        let Place { azimuth, ephemeris, shade, day, line } = place;
         let rail = RailFile::open(&values[self.rail]).map_err(ModelError::from_error)?;
         let outline = rail.outline();
         let of_section = outline.properties();
         let cell_size = positive("section.cell_size", values[self.cell_size])?;
         Ok(Parameters {
-            line: line(common, values)?,
+            line,
+            azimuth,
+            ephemeris,
+            conducts_along: values[self.along],
             resolution: self.resolution(values)?,
             cell_size,
             shortest: not_negative("section.shortest_time", values[self.shortest])?,
@@ -198,14 +204,16 @@ impl EnergyParameterSignals {
             },
             exchange: self.exchange(common, values)?,
             train: TrainWeather {
-                shade: values[self.shade],
+                shade,
                 wind_share: not_negative("train.wind_share", values[self.wind_share])?,
                 overhang: not_negative("train.overhang", values[self.overhang])?,
             },
-            start: if values[common.equilibrium] {
-                Start::Equilibrium
-            } else {
-                Start::Uniform(positive("initial.temperature", values[common.temperature])?)
+            start: match day {
+                Some(day) => Start::Day(day),
+                None if values[common.equilibrium] => Start::Equilibrium,
+                None => {
+                    Start::Uniform(positive("initial.temperature", values[common.temperature])?)
+                }
             },
             depths: depths.to_vec(),
             threshold: positive("detection.threshold", values[self.threshold])?,
@@ -224,10 +232,6 @@ impl EnergyParameterSignals {
     }
 
     fn exchange(&self, common: &ParameterSignals, values: &Values) -> Result<Exchange, ModelError> {
-        let track_azimuth = values[self.track_azimuth];
-        if !track_azimuth.is_finite() {
-            return Err(wrong("track.azimuth", track_azimuth, "must be a finite number"));
-        }
         Ok(Exchange {
             convection: not_negative("surface.convection", values[common.convection])?,
             emissivity: share("surface.emissivity", values[common.emissivity])?,
@@ -235,12 +239,21 @@ impl EnergyParameterSignals {
             filter: share("solar.filter", values[common.filter])?,
             cold_sky: values[self.cold_sky],
             pad: not_negative("foot.conductance", values[self.pad])?,
-            track_azimuth,
         })
     }
 }
 
-fn line(common: &ParameterSignals, values: &Values) -> Result<Line, ModelError> {
+/// What the parameters of place and time amount to.
+pub(crate) struct Place {
+    pub line: Line,
+    pub azimuth: Azimuth,
+    pub ephemeris: Option<Ephemeris>,
+    pub shade: Option<Body>,
+    pub day: Option<Day>,
+}
+
+/// The elements along the track.
+pub(crate) fn line(common: &ParameterSignals, values: &Values) -> Result<Line, ModelError> {
     let begin = values[common.begin];
     if !begin.is_finite() {
         return Err(wrong("track.begin", begin, "must be a finite number"));

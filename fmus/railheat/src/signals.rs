@@ -8,6 +8,7 @@ use crate::energy::weather::Weather;
 use crate::file::Shape;
 use crate::parameters::ParameterSignals;
 use crate::parameters_energy::EnergyParameterSignals;
+use crate::parameters_site::SiteSignals;
 use crate::signals_energy::EnergyOutputSignals;
 use crate::wheels::Wheel;
 
@@ -18,6 +19,7 @@ pub struct Signals {
     pub(crate) parameters: ParameterSignals,
     pub(crate) wheels: Vec<WheelSignals>,
     pub(crate) parameters_energy: EnergyParameterSignals,
+    pub(crate) site: SiteSignals,
     weather: WeatherSignals,
     pub(crate) outputs: OutputSignals,
 }
@@ -80,6 +82,7 @@ impl Signals {
         Self {
             parameters: ParameterSignals::declare(declaration),
             parameters_energy: EnergyParameterSignals::declare(declaration),
+            site: SiteSignals::declare(declaration),
             outputs: OutputSignals::declare(&shape, declaration),
             wheels,
             weather,
@@ -161,6 +164,7 @@ impl WeatherSignals {
 
 impl WheelSignals {
     fn declare(name: String, declaration: &mut Declaration) -> Self {
+        declaration.terminal(name.clone(), "wheel", "A wheel on the rail");
         let mut input = |signal: &str, unit, description: &str| {
             declaration.real(format!("{name}.{signal}"), unit, description).input(0.0)
         };

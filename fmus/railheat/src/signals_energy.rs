@@ -17,6 +17,7 @@ const NOT_YET: f64 = -1.0;
 pub(crate) struct EnergyOutputSignals {
     sources: SourceSignals,
     error: Real,
+    present: FindingSignals,
     highest: FindingSignals,
     detected: FindingSignals,
     from_train: FindingSignals,
@@ -72,6 +73,7 @@ impl EnergyOutputSignals {
         Self {
             probes,
             sources,
+            present: finding("foot.present", "The foot's highest rise now", declaration),
             highest: finding("foot.highest", "The foot's highest rise so far", declaration),
             detected: finding(
                 "foot.detection",
@@ -115,6 +117,7 @@ impl EnergyOutputSignals {
         self.sources.write(&ledger.sources, values);
         values[self.error] = ledger.error();
         let answer = model.answer();
+        self.present.write(Some(answer.present), values);
         self.highest.write(Some(answer.highest), values);
         self.detected.write(answer.detected, values);
         self.from_train.write(Some(answer.from_train), values);

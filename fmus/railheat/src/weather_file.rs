@@ -6,6 +6,8 @@
 //! 3600,13.0,1.5,120,30,2,90
 //! ```
 //!
+//! The last two columns may be left out where `site.date_time` says when it is, and are not looked at there.
+//!
 //! Times are those of the simulation. A run that is not covered is refused at the start of it, or told of
 //! when it gets there; nothing is made up outside the file.
 
@@ -18,8 +20,11 @@ use crate::energy::weather::Weather;
 pub const HEADER: &str =
     "time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2,sun_elevation_deg,sun_azimuth_deg";
 
+/// Number of columns without those of the sun.
+const WITHOUT_SUN: usize = 5;
+
 /// Lowest and highest value of each column after the time.
-const BOUNDS: [(f64, f64); 6] =
+pub(crate) const BOUNDS: [(f64, f64); 6] =
     [(-90.0, 65.0), (0.0, 115.0), (0.0, 1500.0), (0.0, 1000.0), (-90.0, 90.0), (-360.0, 720.0)];
 
 /// Longest time between two rows, s: beyond it weather cannot be called known.
@@ -66,6 +71,7 @@ pub enum WeatherFileError {
 #[derive(Clone, Debug, PartialEq)]
 pub struct WeatherFile {
     name: String,
+    has_sun: bool,
     times: Vec<f64>,
     rows: Vec<[f64; 6]>,
 }
@@ -94,12 +100,19 @@ impl WeatherFile {
             what,
         };
         let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
-        if lines.next().is_none_or(|(_, line)| line.trim() != HEADER) {
-            return Err(wrong(0, format!("must be {HEADER}")));
+        let names: Vec<&str> = HEADER.split(',').collect();
+        let header = lines.next().map_or("", |(_, line)| line.trim());
+        let has_sun = header == HEADER;
+        if !has_sun && header != names[..WITHOUT_SUN].join(",") {
+            return Err(wrong(
+                0,
+                format!("must be {HEADER}, of which the last two may be left out"),
+            ));
         }
-        let mut file = Self { name: name.to_owned(), times: vec![], rows: vec![] };
+        let names = &names[..if has_sun { names.len() } else { WITHOUT_SUN }];
+        let mut file = Self { name: name.to_owned(), has_sun, times: vec![], rows: vec![] };
         for (place, line) in lines {
-            let (time, row) = values(line).map_err(|what| wrong(place, what))?;
+            let (time, row) = values(line, names).map_err(|what| wrong(place, what))?;
             let last = file.times.last().copied();
             if let Some(last) = last.filter(|last| time - last <= 0.0 || time - last > LONGEST_GAP)
             {
@@ -118,6 +131,11 @@ impl WeatherFile {
             return Err(wrong(1, "there must be at least one row of weather".to_owned()));
         }
         Ok(file)
+    }
+
+    /// Whether the file says where the sun stands.
+    pub fn has_sun(&self) -> bool {
+        self.has_sun
     }
 
     /// The weather at a time in s.
@@ -148,15 +166,19 @@ impl WeatherFile {
     }
 }
 
-/// The time and the values of a line.
-fn values(line: &str) -> Result<(f64, [f64; 6]), String> {
-    let names: Vec<&str> = HEADER.split(',').collect();
+/// The time and the values of a line; zero in columns that are left out.
+fn values(line: &str, names: &[&str]) -> Result<(f64, [f64; 6]), String> {
     let fields: Vec<&str> = line.split(',').map(str::trim).collect();
     if fields.len() != names.len() {
-        return Err(format!("has {} values: {} are needed, {HEADER}", fields.len(), names.len()));
+        return Err(format!(
+            "has {} values: {} are needed, {}",
+            fields.len(),
+            names.len(),
+            names.join(",")
+        ));
     }
     let mut numbers = [0.0; 7];
-    for ((number, field), name) in numbers.iter_mut().zip(&fields).zip(&names) {
+    for ((number, field), name) in numbers.iter_mut().zip(&fields).zip(names) {
         let parsed: Option<f64> = field.parse().ok();
         *number = parsed
             .filter(|value| value.is_finite())
@@ -193,6 +215,7 @@ mod tests {
         for (text, wanted) in [
             ("time,air\n".to_owned(), "line 1: must be time_s,air_degC"),
             (format!("{HEADER}\n"), "at least one row"),
+            ("time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2\n0,1".to_owned(), "5 are needed"),
             (format!("{HEADER}\n0,10,1,0,0,0"), "line 2: has 6 values: 7 are needed"),
             (format!("{HEADER}\n0,ten,1,0,0,0,0"), "air_degC = \"ten\": must be a number"),
             (format!("{HEADER}\n0,288,1,0,0,0,0"), "air_degC = 288: must lie between -90 and 65"),

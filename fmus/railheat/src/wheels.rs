@@ -29,6 +29,20 @@ pub struct Wheel {
     pub brake_power: f64,
 }
 
+impl Wheel {
+    /// Whether there is no such wheel now: it neither runs nor carries, as before the train has come
+    /// and between two trains. A wheel that is there again comes with its speed, and has the
+    /// temperature that wheels have at the start.
+    pub fn is_absent(&self) -> bool {
+        self.speed == 0.0 && self.contact.normal_force == 0.0
+    }
+
+    /// Where the wheel is for the next step, if it is there, m.
+    pub fn place(&self) -> Option<f64> {
+        (!self.is_absent()).then_some(self.position)
+    }
+}
+
 /// The elements between two chainages, in whichever order; none when all of it lies outside.
 pub fn passed(grid: &Grid, from: f64, to: f64) -> Option<RangeInclusive<usize>> {
     let (low, high) = if from <= to { (from, to) } else { (to, from) };

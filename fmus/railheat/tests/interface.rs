@@ -43,6 +43,13 @@ impl Bench {
         self.instance.set_real(&[reference], [value]).unwrap();
     }
 
+    fn set_texts(&mut self, texts: &[(&str, &str)]) {
+        for (name, text) in texts {
+            let reference = self.reference(name);
+            self.instance.set_string(&[reference], [*text]).unwrap();
+        }
+    }
+
     fn get(&mut self, name: &str) -> f64 {
         let reference = self.reference(name);
         self.instance.get_real(&[reference]).unwrap().next().unwrap()
@@ -226,6 +233,89 @@ fn a_field_that_cannot_be_written_stops_the_run_or_not() {
     }
 }
 
+/// A folder that can never be made, as on a disk that is read-only.
+#[test]
+fn a_field_that_cannot_begin_stops_the_run_or_not() {
+    for (choice, goes_on) in [("stop", false), ("go_on", true)] {
+        let mut bench = Bench::new();
+        bench.instance.set_debug_logging(true, &[]).unwrap();
+        bench.set_texts(&[("field_file", "/proc/no/rail.zarr"), ("field_failure", choice)]);
+        let result = bench.start();
+        assert_eq!(result.is_ok(), goes_on, "{choice}: {result:?}");
+        if let Err(sentence) = result {
+            assert!(sentence.contains("/proc/no/rail.zarr"), "{sentence}");
+            continue;
+        }
+        bench.step(0.0, 0.02, 28.0).unwrap();
+        let messages = bench.messages.lock().unwrap().clone();
+        let told = messages.iter().filter(|text| text.contains("goes on without")).count();
+        assert_eq!(told, 1, "{messages:?}");
+    }
+}
+
+/// Place, time and day as the FMU's parameters: the winter sun over Townsville warms the rail in the morning
+/// (its light does not change here, so that half an hour later it has risen by some kelvin).
+#[test]
+fn property_place_and_time_are_parameters() {
+    let mut bench = Bench::new();
+    let track = bench.folder.path().join("curve.toml");
+    fs::write(&track, "[[alignment]]\nlength_m = 1000.0\nradius_m = 300.0\n").unwrap();
+    let header = "time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2";
+    let day = bench.folder.path().join("day.csv");
+    let rows = (0..=24).map(|hour| format!("{},25,1,700,80\n", 3600 * (hour - 24)));
+    fs::write(&day, format!("{header}\n{}3600,25,1,700,80\n", rows.collect::<String>())).unwrap();
+    bench.set_texts(&[
+        ("model", "energy"),
+        ("site.date_time", "2018-06-21T07:30:00+10:00"),
+        ("weather_file", day.to_str().unwrap()),
+        ("track_file", track.to_str().unwrap()),
+    ]);
+    let reference = bench.reference("initial.day");
+    bench.instance.set_boolean(&[reference], [true]).unwrap();
+    bench.set("site.latitude", -0.336);
+    bench.set("site.longitude", 2.562);
+    bench.set("section.cell_size", 0.012);
+    bench.start().unwrap();
+    bench.instance.do_step(0.0, 1800.0).unwrap();
+    let warmed = bench.get("untouched.surface.rise");
+    assert!((0.5..10.0).contains(&warmed), "{warmed} K");
+    assert!(bench.get("energy.error").abs() < 1e-9 * bench.get("energy.weather").abs());
+}
+
+#[test]
+fn wrong_places_and_days_are_named() {
+    for (texts, wanted) in [
+        (vec![("site.date_time", "noon")], "site.date_time = \"noon\""),
+        (vec![("track_file", "/no/track.toml")], "/no/track.toml"),
+        (vec![("weather_file", "/no/day.csv")], "/no/day.csv"),
+    ] {
+        let mut bench = Bench::new();
+        bench.set_texts(&[("model", "energy")]);
+        bench.set_texts(&texts);
+        let sentence = bench.start().unwrap_err();
+        assert!(sentence.contains(wanted), "{sentence}");
+    }
+    for (header, row, day, wanted) in [
+        (railheat::weather_file::HEADER, "25,1,700,80,50,0", true, "of the 24 h before or after"),
+        (
+            "time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2",
+            "25,1,700,80",
+            false,
+            "site.date_time",
+        ),
+        (railheat::weather_file::HEADER, "25,1,7000,80,50,0", false, "direct_W_m2 = 7000"),
+    ] {
+        let mut bench = Bench::new();
+        let file = bench.folder.path().join("day.csv");
+        fs::write(&file, format!("{header}\n0,{row}\n600,{row}\n")).unwrap();
+        bench.set_texts(&[("model", "energy"), ("weather_file", file.to_str().unwrap())]);
+        let reference = bench.reference("initial.day");
+        bench.instance.set_boolean(&[reference], [day]).unwrap();
+        let sentence = bench.start().unwrap_err();
+        assert!(sentence.contains(wanted), "{sentence}");
+    }
+}
+
 #[test]
 fn the_weather_file_takes_the_place_of_the_inputs() {
     let mut bench = Bench::new();
@@ -307,12 +397,15 @@ fn wrong_parameters_of_the_energy_model_are_named() {
     for (name, value, wanted) in [
         ("section.cell_size", 0.0, "section.cell_size = 0: must be greater than zero"),
         ("section.cell_size", 0.001, "cells: from 2 to 1500 are possible"),
+        ("train.floor_height", 5.0, "train.floor_height = 5 and train.roof_height = 3.9"),
+        ("site.latitude", 2.0, "site.latitude = 114.59"),
         ("wheel.contact_quality", 2.0, "wheel.contact_quality = 2: must be from 0 to 1"),
         ("material.specific_heat", 0.0, "material.specific_heat = 0: must be greater than zero"),
     ] {
         let mut bench = Bench::new();
         let model = bench.reference("model");
         bench.instance.set_string(&[model], ["energy"]).unwrap();
+        bench.set_texts(&[("site.date_time", "2018-06-21T07:30:00+10:00")]);
         bench.set(name, value);
         let sentence = bench.start().unwrap_err();
         assert!(sentence.contains(wanted), "{name}: {sentence}");
@@ -333,7 +426,9 @@ fn wrong_parameters_of_the_energy_model_are_named() {
 fn wrong_inputs_are_named() {
     for (name, value, wanted) in [
         ("vehicle[1].wheelset[2].contact.a", 0.0, "contact.a = 0 m"),
-        ("ambient.temperature", 0.0, "ambient.temperature = 0 K"),
+        ("ambient.temperature", 0.0, "ambient.temperature = 0: must lie between 183.1"),
+        ("wind.speed", 300.0, "wind.speed = 300: must lie between 0 and 115"),
+        ("solar.irradiance", 14_000.0, "solar.irradiance = 14000: must lie between 0 and 1500"),
     ] {
         let mut bench = Bench::new();
         bench.start().unwrap();

@@ -22,6 +22,16 @@ use crate::suspension::{ElementEnergy, ElementState};
 use crate::wheel_output::WheelOutput;
 use crate::wheelset::WheelsetStep;
 
+/// Longest step of any vehicle, s.
+pub const LONGEST_STEP: f64 = 1e-3;
+
+/// Greatest natural circular frequency times step on stiff rails: the scheme is stable below 2, and
+/// a contact may get three times its static load and with it 1.2 times its frequency.
+const GREATEST_PHASE: f64 = 1.4;
+
+/// The same on elastic rails, which follow the wheels a step late.
+const GREATEST_PHASE_ON_ELASTIC_RAILS: f64 = 0.95;
+
 /// All that changes in a step.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct State {
@@ -97,6 +107,15 @@ impl Dynamics {
         self.kick(step, inputs);
         self.bend_rails(step);
         self.drift(0.5 * step, 0.0);
+    }
+
+    /// Longest step that resolves the stiffest body, s.
+    pub fn longest_step(&self) -> f64 {
+        let phase = match self.line.support {
+            None => GREATEST_PHASE,
+            Some(_) => GREATEST_PHASE_ON_ELASTIC_RAILS,
+        };
+        LONGEST_STEP.min(phase / self.structure.highest_frequency)
     }
 
     /// Chainage of the vehicle's middle, m.

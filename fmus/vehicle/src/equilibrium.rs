@@ -13,7 +13,7 @@ use crate::inputs::Inputs;
 use crate::rail::Deflection;
 use crate::wheelset::rolling;
 
-/// Step of settling and of the residual, s.
+/// Step of the residual, s.
 const STEP: f64 = 1e-3;
 
 /// Time to settle, s: with the damping below, 12 time constants of the slowest mode (0.7 Hz).
@@ -146,16 +146,16 @@ impl Dynamics {
 
     /// Damped motion at a held chainage and speed.
     fn settle(&mut self, speed: f64, inputs: &Inputs) {
-        self.prepare(STEP);
-        let steps = (SETTLING_TIME / STEP) as usize;
-        for _ in 0..steps {
-            self.drift(0.5 * STEP, speed);
+        let step = self.longest_step();
+        self.prepare(step);
+        for _ in 0..(SETTLING_TIME / step) as usize {
+            self.drift(0.5 * step, speed);
             self.find_rails(0.0);
-            self.kick(STEP, inputs);
-            self.bend_rails(STEP);
-            self.hold(self.acceleration * STEP);
-            self.brake_motion(speed, (-SETTLING_DAMPING * STEP).exp());
-            self.drift(0.5 * STEP, speed);
+            self.kick(step, inputs);
+            self.bend_rails(step);
+            self.hold(self.acceleration * step);
+            self.brake_motion(speed, (-SETTLING_DAMPING * step).exp());
+            self.drift(0.5 * step, speed);
         }
     }
 

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
 use stock::Library;
 
-use crate::dynamics::{Dynamics, State};
+use crate::dynamics::{Dynamics, LONGEST_STEP, State};
 use crate::inputs::Inputs;
 use crate::line::Line;
 use crate::signals::Signals;
-use crate::structure::{LONGEST_STEP, Structure, multibody};
+use crate::structure::{Structure, multibody};
 use crate::wheel::Standing;
 use crate::wheel_output::WheelOutput;
 
@@ -49,7 +49,10 @@ impl Model for Vehicle {
         log: &mut Log,
     ) -> Result<Self, ModelError> {
         let vehicle = read_vehicle(resources, &values[signals.vehicle_file])?;
-        let structure = Structure::shared(&vehicle).map_err(ModelError::from_error)?;
+        let structure = Structure::shared(&vehicle).map_err(|error| {
+            let file = file(resources, &values[signals.vehicle_file], "vehicle.toml");
+            ModelError::new(format!("{}: {error}", file.display()))
+        })?;
         check_shape(&structure, signals, &vehicle.name)?;
         let track_file = file(resources, &values[signals.track_file], "track.toml");
         let line = Line::shared(&track_file).map_err(ModelError::from_error)?;
@@ -82,7 +85,7 @@ impl Model for Vehicle {
         log: &mut Log,
     ) -> Result<(), ModelError> {
         let inputs = checked(signals.read(values))?;
-        let steps = steps(interval.length, self.dynamics.structure.longest_step);
+        let steps = steps(interval.length, self.dynamics.longest_step());
         for _ in 0..steps {
             self.dynamics.step(interval.length / f64::from(steps), &inputs);
         }
@@ -154,6 +157,7 @@ impl Vehicle {
             let state = &dynamics.state.bodies[data.body];
             values[handles.position] = state.position.x;
             values[handles.speed] = state.velocity.x;
+            handles.track_forces.write(wheels, data.static_wheel_load, values);
             for (handles, wheel) in handles.wheels.iter().zip(wheels) {
                 values[handles.creepage[0]] = wheel.creepages.longitudinal;
                 values[handles.creepage[1]] = wheel.creepages.lateral;
@@ -195,6 +199,8 @@ impl Vehicle {
         values[handles.suspension_heat] = account.suspension_heat;
         values[handles.friction_heat] = account.friction_heat;
         values[handles.contact_heat] = account.contact_heat;
+        values[handles.track_heat] = account.track_heat;
+        values[handles.irregularities] = account.irregularities;
     }
 }
 

@@ -18,7 +18,7 @@
 //! | `equilibrium.rs` | the start in equilibrium |
 //! | `statics.rs`, `linear/` | static load of the springs; the vehicle linearised |
 //! | `energy.rs`, `inputs.rs`, `six.rs` | energy account; forces from outside; algebra |
-//! | `signals.rs`, `patch_signals.rs`, `interface.rs` | the model as an FMU |
+//! | `signals.rs`, `patch_signals.rs`, `track_forces.rs`, `interface.rs` | the model as an FMU |
 //!
 //! Equations are numbered in `docs/theory/vehicle.md`. Axes: x along the track in the running
 //! direction, y to the right, z down; SI units.
@@ -42,6 +42,7 @@ pub mod six;
 mod statics;
 pub mod structure;
 pub mod suspension;
+mod track_forces;
 pub mod wheel;
 pub mod wheel_output;
 pub mod wheelset;

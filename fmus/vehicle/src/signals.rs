@@ -4,6 +4,7 @@ use fmu::{Declaration, Real, Text, Values, unit};
 
 use crate::inputs::Inputs;
 use crate::patch_signals::PatchSignals;
+use crate::track_forces::TrackForceSignals;
 use crate::wheel::PATCHES;
 
 /// Handles of all variables.
@@ -41,6 +42,7 @@ pub(crate) struct WheelsetSignals {
     pub(crate) speed: Real,
     /// Left, right.
     pub(crate) wheels: [WheelSignals; 2],
+    pub(crate) track_forces: TrackForceSignals,
 }
 
 /// Handles of a wheel.
@@ -82,6 +84,8 @@ pub(crate) struct EnergySignals {
     pub(crate) suspension_heat: Real,
     pub(crate) friction_heat: Real,
     pub(crate) contact_heat: Real,
+    pub(crate) track_heat: Real,
+    pub(crate) irregularities: Real,
 }
 
 impl Signals {
@@ -96,6 +100,7 @@ impl Signals {
         let car = std::iter::once(("body".to_owned(), "Car body".to_owned()));
         let frames = (1..=bogies).map(|i| (format!("bogie[{i}]"), format!("Bogie frame {i}")));
         let bodies: Vec<_> = car.chain(frames).collect();
+        declare_terminals(d, wheelsets);
         Self {
             vehicle_file: d.text_parameter(
                 "vehicle_file",
@@ -145,6 +150,19 @@ impl Signals {
             brake: values[inputs.brake],
             synchronisation: values[inputs.synchronisation],
             friction: values[inputs.friction],
+        }
+    }
+}
+
+/// What is connected together: the couplers with the train, the wheels with the rail.
+fn declare_terminals(d: &mut Declaration, wheelsets: usize) {
+    for end in ["front", "rear"] {
+        d.terminal(format!("coupler.{end}"), "coupler", format!("The {end} coupler"));
+    }
+    for number in 1..=wheelsets {
+        for side in ["left", "right"] {
+            let description = format!("The {side} wheel of wheelset {number} on its rail");
+            d.terminal(format!("wheelset[{number}].{side}"), "wheel", description);
         }
     }
 }
@@ -210,6 +228,7 @@ impl WheelsetSignals {
                 )
                 .output(),
             wheels: ["left", "right"].map(|side| WheelSignals::declare(d, &name, side)),
+            track_forces: TrackForceSignals::declare(d, &name),
         }
     }
 }
@@ -309,6 +328,11 @@ impl EnergySignals {
             suspension_heat: output("heat.suspension", "Heat in the suspension since the start"),
             friction_heat: output("heat.friction", "Heat by creep since the start"),
             contact_heat: output("heat.contact", "Heat in the contacts' damping since the start"),
+            track_heat: output("heat.track", "Heat in the support of the rails since the start"),
+            irregularities: output(
+                "work.irregularities",
+                "Work of the irregularities, which move the rails, since the start",
+            ),
         }
     }
 }

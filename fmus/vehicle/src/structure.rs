@@ -47,13 +47,6 @@ pub enum StructureError {
     },
 }
 
-/// Longest step of the integration of any vehicle, s.
-pub const LONGEST_STEP: f64 = 1e-3;
-
-/// Greatest natural frequency times step: the scheme is stable below 2, and a contact may get three
-/// times its static load and with it 1.2 times its frequency.
-const GREATEST_PHASE: f64 = 1.4;
-
 /// Structures of vehicles that are in use: a train of 250 vehicles has few types.
 static STRUCTURES: Mutex<Vec<(stock::Vehicle, Weak<Structure>)>> = Mutex::new(Vec::new());
 
@@ -68,8 +61,8 @@ pub struct Structure {
     pub suspension: Suspension,
     /// Creep law.
     pub creep: CreepLaw,
-    /// Longest step of the integration, s.
-    pub longest_step: f64,
+    /// Greatest natural circular frequency, rad/s, with all friction sticking.
+    pub highest_frequency: f64,
     /// Couplers' arms from the first body's centre of mass: front, rear, m.
     pub couplers: [Vector3<f64>; 2],
 }
@@ -111,7 +104,7 @@ impl Structure {
         };
         let half = 0.5 * vehicle.length_m;
         let mut structure = Self {
-            longest_step: LONGEST_STEP,
+            highest_frequency: 0.0,
             couplers: [coupler(half), coupler(-half)],
             suspension: Suspension::new(multibody, &bodies),
             creep: creep_law::compiled(&multibody.contact.creep),
@@ -121,8 +114,7 @@ impl Structure {
         statics::preload(&mut structure).map_err(|Loose { body, coordinate }| {
             StructureError::Loose { vehicle: name(), body, coordinate }
         })?;
-        let resolved = GREATEST_PHASE / linear::highest_frequency(&structure);
-        structure.longest_step = LONGEST_STEP.min(resolved);
+        structure.highest_frequency = linear::highest_frequency(&structure);
         Ok(structure)
     }
 

@@ -46,8 +46,8 @@ impl WheelsetStep<'_> {
         let carrier = self.frame_velocities(state);
         let against = difference(&before, &carrier);
         let speed = state.velocity.x;
-        let wheels = [Side::Left, Side::Right].map(|side| {
-            let rail = &self.rails[side as usize];
+        let rails = [(Side::Left, &self.rails[0]), (Side::Right, &self.rails[1])];
+        let wheels = rails.map(|(side, rail)| {
             let seen = rail.seen_from(state);
             let mut wheel = Wheel::new(side, &self.data.wheel, &self.data.table, &seen);
             wheel.load(&self.data.wheel, self.creep, &rail.against(&against), speed);

@@ -20,6 +20,19 @@ pub const WARNING: Status = 1;
 pub const DISCARD: Status = 2;
 /// `fmi2Fatal`.
 pub const FATAL: Status = 4;
+/// `fmi2Pending`.
+pub const PENDING: Status = 5;
+
+/// `fmi2DoStepStatus` of `fmi2StatusKind`.
+pub const DO_STEP_STATUS: c_int = 0;
+/// `fmi2LastSuccessfulTime` of `fmi2StatusKind`.
+pub const LAST_SUCCESSFUL_TIME: c_int = 2;
+/// `fmi2Terminated` of `fmi2StatusKind`.
+pub const TERMINATED: c_int = 3;
+
+/// `fmi2FMUstate`: belongs to the FMU that gave it.
+#[derive(Debug, Clone, Copy)]
+pub struct FmuState(pub *mut c_void);
 
 /// `fmi2CallbackFunctions`.
 #[repr(C)]
@@ -68,10 +81,17 @@ macro_rules! functions {
                 Ok(Self { $($field,)* _library: library })
             }
         }
+
+        /// Names of the functions that the master calls.
+        const CALLED: &[&[u8]] = &[$($name),*];
     };
 }
 
 functions! {
+    /// `fmi2GetTypesPlatform`.
+    get_types_platform = b"fmi2GetTypesPlatform": fn() -> *const c_char;
+    /// `fmi2GetVersion`.
+    get_version = b"fmi2GetVersion": fn() -> *const c_char;
     /// `fmi2Instantiate`.
     instantiate = b"fmi2Instantiate": fn(*const c_char, c_int, *const c_char, *const c_char, *const Callbacks, c_int, c_int) -> Component;
     /// `fmi2FreeInstance`.
@@ -88,40 +108,62 @@ functions! {
     get_real = b"fmi2GetReal": fn(Component, *const Reference, usize, *mut c_double) -> Status;
     /// `fmi2SetReal`.
     set_real = b"fmi2SetReal": fn(Component, *const Reference, usize, *const c_double) -> Status;
+    /// `fmi2GetInteger`.
+    get_integer = b"fmi2GetInteger": fn(Component, *const Reference, usize, *mut c_int) -> Status;
+    /// `fmi2SetInteger`.
+    set_integer = b"fmi2SetInteger": fn(Component, *const Reference, usize, *const c_int) -> Status;
+    /// `fmi2GetBoolean`.
+    get_boolean = b"fmi2GetBoolean": fn(Component, *const Reference, usize, *mut c_int) -> Status;
+    /// `fmi2SetBoolean`.
+    set_boolean = b"fmi2SetBoolean": fn(Component, *const Reference, usize, *const c_int) -> Status;
+    /// `fmi2GetString`.
+    get_string = b"fmi2GetString": fn(Component, *const Reference, usize, *mut *const c_char) -> Status;
     /// `fmi2SetString`.
     set_string = b"fmi2SetString": fn(Component, *const Reference, usize, *const *const c_char) -> Status;
     /// `fmi2DoStep`.
     do_step = b"fmi2DoStep": fn(Component, c_double, c_double, c_int) -> Status;
+    /// `fmi2CancelStep`.
+    cancel_step = b"fmi2CancelStep": fn(Component) -> Status;
+    /// `fmi2GetFMUstate`.
+    get_fmu_state = b"fmi2GetFMUstate": fn(Component, *mut *mut c_void) -> Status;
+    /// `fmi2SetFMUstate`.
+    set_fmu_state = b"fmi2SetFMUstate": fn(Component, *mut c_void) -> Status;
+    /// `fmi2FreeFMUstate`.
+    free_fmu_state = b"fmi2FreeFMUstate": fn(Component, *mut *mut c_void) -> Status;
+    /// `fmi2GetStatus`.
+    get_status = b"fmi2GetStatus": fn(Component, c_int, *mut Status) -> Status;
+    /// `fmi2GetBooleanStatus`.
+    get_boolean_status = b"fmi2GetBooleanStatus": fn(Component, c_int, *mut c_int) -> Status;
     /// `fmi2GetRealStatus`.
     get_real_status = b"fmi2GetRealStatus": fn(Component, c_int, *mut c_double) -> Status;
 }
 
 /// The functions that the master does not call, but every FMU must have (§2.3).
 const ALSO_REQUIRED: &[&[u8]] = &[
-    b"fmi2GetTypesPlatform",
-    b"fmi2GetVersion",
     b"fmi2SetDebugLogging",
     b"fmi2Reset",
-    b"fmi2GetInteger",
-    b"fmi2SetInteger",
-    b"fmi2GetBoolean",
-    b"fmi2SetBoolean",
-    b"fmi2GetString",
-    b"fmi2GetFMUstate",
-    b"fmi2SetFMUstate",
-    b"fmi2FreeFMUstate",
     b"fmi2SerializedFMUstateSize",
     b"fmi2SerializeFMUstate",
     b"fmi2DeSerializeFMUstate",
     b"fmi2GetDirectionalDerivative",
     b"fmi2SetRealInputDerivatives",
     b"fmi2GetRealOutputDerivatives",
-    b"fmi2CancelStep",
-    b"fmi2GetStatus",
     b"fmi2GetIntegerStatus",
-    b"fmi2GetBooleanStatus",
     b"fmi2GetStringStatus",
 ];
+
+/// The functions that a binary lacks of the 34 that every FMU must have.
+///
+/// # Errors
+/// When the binary cannot be loaded.
+pub fn missing_functions(binary: &Path) -> Result<Vec<String>, libloading::Error> {
+    // SAFETY: as in `Functions::load`.
+    let library = unsafe { Library::new(binary)? };
+    // SAFETY: the symbol is only looked up, never called.
+    let lacks = |name: &[u8]| unsafe { library.get::<unsafe extern "C" fn()>(name) }.is_err();
+    let names = CALLED.iter().chain(ALSO_REQUIRED).filter(|name| lacks(name));
+    Ok(names.map(|name| String::from_utf8_lossy(name).into_owned()).collect())
+}
 
 /// The name of a status.
 pub fn status_name(status: Status) -> &'static str {

@@ -22,6 +22,8 @@ pub struct Messages {
 struct Content {
     last: Option<String>,
     warnings: Vec<String>,
+    /// Whether a message has come that explains a warning not yet noted.
+    warned: bool,
 }
 
 /// Warnings kept per instance; an FMU that warns in each step must not fill the memory.
@@ -38,10 +40,23 @@ impl Messages {
         self.content.lock().map(|mut c| std::mem::take(&mut c.warnings)).unwrap_or_default()
     }
 
+    /// Keeps a warning that came without a message since the one before.
+    pub fn note_warning(&self, action: &str) {
+        if let Ok(mut content) = self.content.lock()
+            && !std::mem::take(&mut content.warned)
+            && content.warnings.len() < MAX_WARNINGS
+        {
+            content.warnings.push(format!("{action} returned fmi2Warning without a message"));
+        }
+    }
+
     fn add(&self, status: c_int, message: String) {
         if let Ok(mut content) = self.content.lock() {
-            if status != super::binding::OK && content.warnings.len() < MAX_WARNINGS {
-                content.warnings.push(message.clone());
+            if status != super::binding::OK {
+                content.warned = true;
+                if content.warnings.len() < MAX_WARNINGS {
+                    content.warnings.push(message.clone());
+                }
             }
             content.last = Some(message);
         }

@@ -9,7 +9,7 @@ use libloading::Library;
 use super::import::ImportError;
 use crate::interface::Interface;
 
-/// `hotfoot_model_description` and `hotfoot_documentation`: 0 and the text, or the reason.
+/// `hotfoot_model_description` and its like: 0 and the text, or the reason.
 type Describe = unsafe extern "C" fn(*const c_char, *mut *mut c_char) -> c_int;
 /// `hotfoot_free_text`.
 type Free = unsafe extern "C" fn(*mut c_char);
@@ -23,6 +23,8 @@ pub struct Description {
     pub xml: String,
     /// Text of documentation/index.html.
     pub html: String,
+    /// Text of terminalsAndIcons/terminalsAndIcons.xml; empty: there are no terminals.
+    pub terminals: String,
 }
 
 /// The description of `binary` for the files in the folder `resources`.
@@ -49,9 +51,10 @@ pub fn describe(binary: &Path, resources: &Path) -> Result<Description, ImportEr
     };
     let xml = text(b"hotfoot_model_description")?;
     let html = text(b"hotfoot_documentation")?;
+    let terminals = text(b"hotfoot_terminals")?;
     let interface = Interface::from_xml(&xml)
         .map_err(|source| ImportError::ModelDescription { file: file.clone(), source })?;
-    Ok(Description { identifier: interface.identifier, xml, html })
+    Ok(Description { identifier: interface.identifier, xml, html, terminals })
 }
 
 /// Calls `function` and frees its text.

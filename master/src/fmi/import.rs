@@ -1,7 +1,9 @@
 //! An FMU file: unpacked and loaded once, instantiated as often as needed.
 
+use std::ffi::{CStr, c_char};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
@@ -94,6 +96,8 @@ pub struct Import {
     folder: tempfile::TempDir,
     /// What the resources are copies of.
     origins: Origins,
+    /// Whether an instance has returned `fmi2Fatal`, after which no function may be called.
+    lost: AtomicBool,
 }
 
 impl Import {
@@ -122,7 +126,8 @@ impl Import {
         let functions = Functions::load(&folder.path().join(&binary)).map_err(|source| {
             ImportError::Binary { file: file.clone(), binary: binary.display().to_string(), source }
         })?;
-        Ok(Arc::new(Self { file, interface, functions, folder, origins }))
+        let lost = AtomicBool::new(false);
+        Ok(Arc::new(Self { file, interface, functions, folder, origins, lost }))
     }
 
     /// What the model description says.
@@ -135,12 +140,36 @@ impl Import {
         &self.file
     }
 
+    /// Notes that an instance has returned `fmi2Fatal`.
+    pub(super) fn lose(&self) {
+        self.lost.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether an instance has returned `fmi2Fatal`.
+    pub(super) fn is_lost(&self) -> bool {
+        self.lost.load(Ordering::Relaxed)
+    }
+
+    /// What `fmi2GetVersion` and `fmi2GetTypesPlatform` answer.
+    pub fn version_and_platform(&self) -> (String, String) {
+        let text = |pointer: *const c_char| match pointer.is_null() {
+            true => String::new(),
+            // SAFETY: both functions give texts that live as long as the binary is loaded.
+            false => unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned(),
+        };
+        // SAFETY: the functions take nothing and may be called at any time.
+        unsafe {
+            (text((self.functions.get_version)()), text((self.functions.get_types_platform)()))
+        }
+    }
+
     /// A message of the FMU with the files that the user knows.
     pub(super) fn in_words_of_the_user(&self, message: &str) -> String {
         self.origins.rename(message, &self.resources())
     }
 
-    fn resources(&self) -> PathBuf {
+    /// The unpacked folder of the FMU's resources.
+    pub fn resources(&self) -> PathBuf {
         self.folder.path().join("resources")
     }
 

@@ -1,24 +1,30 @@
 //! An instance of an FMU.
 
-use std::ffi::CString;
+use std::ffi::{CStr, CString};
 use std::sync::Arc;
 
-use super::binding::{self, Component, DISCARD, FATAL, Functions, OK, Status, WARNING};
+use super::binding::{self, Component, FATAL, Functions, OK, Status, WARNING};
 use super::callbacks::{Messages, callbacks};
+use super::crash::calling;
 use super::import::Import;
+use super::step::StateSlot;
 use crate::interface::{Interface, VariableType};
 use crate::unit::{Unit, UnitError};
 
 /// `fmi2CoSimulation` of `fmi2Type`.
 const CO_SIMULATION: i32 = 1;
-/// `fmi2LastSuccessfulTime` of `fmi2StatusKind`.
-const LAST_SUCCESSFUL_TIME: i32 = 2;
 
 /// One instance of an FMU.
 pub struct FmuInstance {
     import: Arc<Import>,
     name: String,
+    /// Name and file, for the message of a crash.
+    label: CString,
     component: Component,
+    /// Whether a discarded step is tried again in parts.
+    pub(super) retries: bool,
+    /// The state before the last step, if discarded steps are tried again.
+    pub(super) slot: StateSlot,
     messages: Box<Messages>,
     /// Kept because the FMU may hold on to the pointer.
     _callbacks: Box<binding::Callbacks>,
@@ -40,23 +46,29 @@ impl FmuInstance {
         let c_name = CString::new(name).unwrap_or_default();
         let guid = CString::new(import.interface().guid.as_str()).unwrap_or_default();
         let resources = CString::new(import.resource_uri()).unwrap_or_default();
-        // SAFETY: the strings and the callbacks live during the call, and the callbacks and
-        // messages as long as the instance.
-        let component = unsafe {
-            (import.functions.instantiate)(
-                c_name.as_ptr(),
-                CO_SIMULATION,
-                guid.as_ptr(),
-                resources.as_ptr(),
-                &raw const *callbacks,
-                0,
-                0,
-            )
-        };
+        let label = CString::new(format!("{name} ({})", import.file())).unwrap_or_default();
+        let component = calling(&label, c"fmi2Instantiate", || {
+            // SAFETY: the strings and the callbacks live during the call, and the callbacks and
+            // messages as long as the instance.
+            unsafe {
+                (import.functions.instantiate)(
+                    c_name.as_ptr(),
+                    CO_SIMULATION,
+                    guid.as_ptr(),
+                    resources.as_ptr(),
+                    &raw const *callbacks,
+                    0,
+                    0,
+                )
+            }
+        });
         let instance = Self {
             import: Arc::clone(import),
             name: name.to_owned(),
+            label,
             component,
+            retries: false,
+            slot: StateSlot::default(),
             messages,
             _callbacks: callbacks,
         };
@@ -64,6 +76,15 @@ impl FmuInstance {
             return Err(instance.error("fmi2Instantiate".to_owned(), None));
         }
         Ok(instance)
+    }
+
+    /// Lets a step that the FMU discards be tried again in parts, from the state before it. An FMU
+    /// that cannot save its state, or steps with one length only, cannot do that.
+    #[must_use]
+    pub fn retrying(mut self) -> Self {
+        let interface = self.import.interface();
+        self.retries = interface.can_get_and_set_state && interface.variable_step;
+        self
     }
 
     fn error(&self, action: String, status: Option<Status>) -> UnitError {
@@ -78,25 +99,65 @@ impl FmuInstance {
         }
     }
 
-    /// Calls a function of the FMU and turns a bad status into an error that tells `action`.
-    fn call(
+    /// Calls a function of the FMU and gives its status; an FMU that has failed for good is not
+    /// called again.
+    pub(super) fn status_of(
         &mut self,
+        name: &CStr,
         function: impl FnOnce(&Functions, Component) -> Status,
-        action: impl FnOnce(&Self) -> String,
+        detail: impl FnOnce(&Self) -> String,
+    ) -> Result<Status, UnitError> {
+        if self.component_is_lost() {
+            let action = format!("{}{} after fmi2Fatal", name.to_string_lossy(), detail(self));
+            return Err(self.error(action, None));
+        }
+        let (functions, component) = (&self.import.functions, self.component);
+        Ok(calling(&self.label, name, || function(functions, component)))
+    }
+
+    /// Calls a function of the FMU and turns a bad status into an error; `detail` follows the name
+    /// of the function in its text.
+    pub(super) fn call(
+        &mut self,
+        name: &CStr,
+        function: impl FnOnce(&Functions, Component) -> Status,
+        detail: impl Fn(&Self) -> String,
     ) -> Result<(), UnitError> {
-        if self.component.is_null() {
-            return Err(self.error(format!("{} after a fatal error", action(self)), None));
+        match self.status_of(name, function, &detail)? {
+            OK => Ok(()),
+            WARNING => {
+                let action = format!("{}{}", name.to_string_lossy(), detail(self));
+                self.note_warning(&action);
+                Ok(())
+            }
+            status => Err(self.failed(name, detail, status)),
         }
-        let status = function(&self.import.functions, self.component);
-        if matches!(status, OK | WARNING) {
-            return Ok(());
-        }
-        let error = self.error(action(self), Some(status));
+    }
+
+    /// The error of a call that returned a bad status.
+    pub(super) fn failed(
+        &mut self,
+        name: &CStr,
+        detail: impl FnOnce(&Self) -> String,
+        status: Status,
+    ) -> UnitError {
+        let action = format!("{}{}", name.to_string_lossy(), detail(self));
+        let error = self.error(action, Some(status));
         if status == FATAL {
-            // After fmi2Fatal no function of the instance may be called (§2.1.3).
-            self.component = std::ptr::null_mut();
+            // No function of any instance of the FMU may be called any more (§2.1.3).
+            self.import.lose();
         }
-        Err(error)
+        error
+    }
+
+    /// Whether the FMU has failed for good.
+    pub(super) fn component_is_lost(&self) -> bool {
+        self.component.is_null() || self.import.is_lost()
+    }
+
+    /// Keeps a warning that the FMU returned without a message.
+    pub(super) fn note_warning(&mut self, action: &str) {
+        self.messages.note_warning(action);
     }
 
     /// Names variables for messages.
@@ -111,23 +172,42 @@ impl FmuInstance {
             [first, ..] => format!("{} and {} more", name(first), references.len() - 1),
         }
     }
+}
 
-    /// The time until which a discarded step came.
-    fn last_successful_time(&self) -> f64 {
-        let mut time = f64::NAN;
-        // SAFETY: the instance is alive after fmi2Discard, and the FMU writes one number.
-        unsafe {
-            (self.import.functions.get_real_status)(
-                self.component,
-                LAST_SUCCESSFUL_TIME,
-                &raw mut time,
+/// Setting and getting of variables of a type.
+macro_rules! exchange {
+    ($($set:ident, $get:ident: $type:ty, $kind:ident, $c_set:ident $set_name:literal, $c_get:ident $get_name:literal;)*) => {$(
+        fn $set(&mut self, references: &[u32], values: &[$type]) -> Result<(), UnitError> {
+            assert_eq!(references.len(), values.len(), "one value for each reference");
+            self.call(
+                $set_name,
+                // SAFETY: both arrays have the stated length.
+                |f, c| unsafe { (f.$c_set)(c, references.as_ptr(), references.len(), values.as_ptr()) },
+                |this| format!(" of {}", this.names(VariableType::$kind, references)),
             )
-        };
-        time
-    }
+        }
+
+        fn $get(&mut self, references: &[u32], values: &mut [$type]) -> Result<(), UnitError> {
+            assert_eq!(references.len(), values.len(), "one place for each reference");
+            self.call(
+                $get_name,
+                // SAFETY: both arrays have the stated length.
+                |f, c| unsafe { (f.$c_get)(c, references.as_ptr(), references.len(), values.as_mut_ptr()) },
+                |this| format!(" of {}", this.names(VariableType::$kind, references)),
+            )
+        }
+    )*};
 }
 
 impl Unit for FmuInstance {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn source_file(&self) -> &str {
+        self.import.file()
+    }
+
     fn interface(&self) -> &Interface {
         self.import.interface()
     }
@@ -136,83 +216,69 @@ impl Unit for FmuInstance {
         let c_value = CString::new(value).unwrap_or_default();
         let pointer = c_value.as_ptr();
         self.call(
+            c"fmi2SetString",
             // SAFETY: one reference and one string, both alive during the call.
             |f, c| unsafe { (f.set_string)(c, &raw const reference, 1, &raw const pointer) },
-            |this| {
-                let name = this.names(VariableType::Text, &[reference]);
-                format!("fmi2SetString of {name} = '{value}'")
-            },
+            |this| format!(" of {} = '{value}'", this.names(VariableType::Text, &[reference])),
         )
     }
 
-    fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
-        assert_eq!(references.len(), values.len(), "one value for each reference");
+    fn get_text(&mut self, reference: u32) -> Result<String, UnitError> {
+        let mut text = std::ptr::null();
         self.call(
-            // SAFETY: both arrays have the stated length.
-            |f, c| unsafe {
-                (f.set_real)(c, references.as_ptr(), references.len(), values.as_ptr())
-            },
-            |this| format!("fmi2SetReal of {}", this.names(VariableType::Real, references)),
-        )
+            c"fmi2GetString",
+            // SAFETY: one reference, and room for one pointer.
+            |f, c| unsafe { (f.get_string)(c, &raw const reference, 1, &raw mut text) },
+            |this| format!(" of {}", this.names(VariableType::Text, &[reference])),
+        )?;
+        if text.is_null() {
+            return Ok(String::new());
+        }
+        // SAFETY: the FMU's string stays valid until the next call of the instance (§2.1.7),
+        // and is copied before.
+        Ok(unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned())
     }
 
-    fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError> {
-        assert_eq!(references.len(), values.len(), "one place for each reference");
-        self.call(
-            // SAFETY: both arrays have the stated length.
-            |f, c| unsafe {
-                (f.get_real)(c, references.as_ptr(), references.len(), values.as_mut_ptr())
-            },
-            |this| format!("fmi2GetReal of {}", this.names(VariableType::Real, references)),
-        )
+    exchange! {
+        set_reals, get_reals: f64, Real, set_real c"fmi2SetReal", get_real c"fmi2GetReal";
+        set_integers, get_integers: i32, Integer, set_integer c"fmi2SetInteger", get_integer c"fmi2GetInteger";
+        set_booleans, get_booleans: i32, Boolean, set_boolean c"fmi2SetBoolean", get_boolean c"fmi2GetBoolean";
     }
 
     fn enter_initialization(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {
         self.call(
+            c"fmi2SetupExperiment",
             // SAFETY: the instance is alive.
             |f, c| unsafe { (f.setup_experiment)(c, 0, 0.0, start, 1, stop) },
-            |_| format!("fmi2SetupExperiment from {start} s to {stop} s"),
+            |_| format!(" from {start} s to {stop} s"),
         )?;
         self.call(
+            c"fmi2EnterInitializationMode",
             // SAFETY: the instance is alive.
             |f, c| unsafe { (f.enter_initialization)(c) },
-            |_| "fmi2EnterInitializationMode".to_owned(),
+            |_| String::new(),
         )
     }
 
     fn exit_initialization(&mut self) -> Result<(), UnitError> {
         self.call(
+            c"fmi2ExitInitializationMode",
             // SAFETY: the instance is alive.
             |f, c| unsafe { (f.exit_initialization)(c) },
-            |_| "fmi2ExitInitializationMode".to_owned(),
+            |_| String::new(),
         )
     }
 
     fn step(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
-        let mut discarded = false;
-        self.call(
-            |f, c| {
-                // SAFETY: the instance is alive.
-                let status = unsafe { (f.do_step)(c, time, length, 1) };
-                discarded = status == DISCARD;
-                status
-            },
-            |_| format!("fmi2DoStep from {time} s by {length} s"),
-        )
-        .map_err(|mut error| {
-            if discarded {
-                let reached = self.last_successful_time();
-                error.action = format!("{}, done until {reached} s,", error.action).into();
-            }
-            error
-        })
+        self.step_or_retry(time, length)
     }
 
     fn terminate(&mut self) -> Result<(), UnitError> {
         self.call(
+            c"fmi2Terminate",
             // SAFETY: the instance is alive.
             |f, c| unsafe { (f.terminate)(c) },
-            |_| "fmi2Terminate".to_owned(),
+            |_| String::new(),
         )
     }
 
@@ -223,9 +289,13 @@ impl Unit for FmuInstance {
 
 impl Drop for FmuInstance {
     fn drop(&mut self) {
-        if !self.component.is_null() {
-            // SAFETY: the instance is alive and never used again.
-            unsafe { (self.import.functions.free_instance)(self.component) };
+        self.free_state();
+        if !self.component_is_lost() {
+            let (functions, component) = (&self.import.functions, self.component);
+            calling(&self.label, c"fmi2FreeInstance", || {
+                // SAFETY: the instance is alive and never used again.
+                unsafe { (functions.free_instance)(component) };
+            });
         }
     }
 }

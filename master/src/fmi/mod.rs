@@ -3,10 +3,12 @@
 //! | file | part |
 //! |---|---|
 //! | `binding.rs` | the C functions of an FMU's binary |
+//! | `crash.rs`, `crash.c` | which FMU was at work when the program crashes |
 //! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
 //! | `instance.rs` | an instance of it: a [`Unit`](crate::unit::Unit) |
+//! | `step.rs` | the step, and what each status of it means |
 //! | `logger.c` | the variadic part of the logger |
 //!
 //! This is the only place in the master with `unsafe` code.
@@ -15,10 +17,14 @@
 
 mod binding;
 mod callbacks;
+mod crash;
 mod describe;
 mod import;
 mod instance;
+mod step;
 
+pub use binding::missing_functions;
+pub use crash::watch as watch_crashes;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;

@@ -1,4 +1,4 @@
-//! Last value, lowest and highest of every column between two records.
+//! Last value of every column between two records, and lowest and highest of some.
 
 /// Sees every step and remembers what a record needs.
 ///
@@ -8,56 +8,75 @@
 #[derive(Debug)]
 pub(super) struct Accumulator {
     columns: usize,
+    /// The columns whose extremes are kept.
+    extremes: Vec<usize>,
     last: Vec<f64>,
+    /// A value for each of `extremes` in every row.
     lowest: Vec<f64>,
     highest: Vec<f64>,
 }
 
 impl Accumulator {
-    /// For `rows` rows of `columns` values; all not-a-number until observed.
-    pub fn new(rows: usize, columns: usize) -> Self {
-        let empty = vec![f64::NAN; rows * columns];
-        Self { columns, last: empty.clone(), lowest: empty.clone(), highest: empty }
+    /// For `rows` rows of `columns` values, with the extremes of some of them.
+    pub fn new(rows: usize, columns: usize, extremes: Vec<usize>) -> Self {
+        Self {
+            columns,
+            last: vec![f64::NAN; rows * columns],
+            lowest: vec![f64::INFINITY; rows * extremes.len()],
+            highest: vec![f64::NEG_INFINITY; rows * extremes.len()],
+            extremes,
+        }
     }
 
-    /// Takes the values of a row after a step.
-    ///
-    /// `f64::min` and `f64::max` pass over not-a-number, so the first value replaces it.
+    /// Takes the values of a row after a step; the extremes pass over not-a-number.
     pub fn observe(&mut self, row: usize, values: &[f64]) {
-        let range = row * self.columns..(row + 1) * self.columns;
-        self.last[range.clone()].copy_from_slice(values);
-        for (lowest, &value) in self.lowest[range.clone()].iter_mut().zip(values) {
-            *lowest = lowest.min(value);
-        }
-        for (highest, &value) in self.highest[range].iter_mut().zip(values) {
-            *highest = highest.max(value);
+        self.last[row * self.columns..][..self.columns].copy_from_slice(values);
+        let begin = row * self.extremes.len();
+        let lowest = &mut self.lowest[begin..][..self.extremes.len()];
+        let highest = &mut self.highest[begin..][..self.extremes.len()];
+        for ((&column, lowest), highest) in self.extremes.iter().zip(lowest).zip(highest) {
+            let value = values[column];
+            if value < *lowest {
+                *lowest = value;
+            }
+            if value > *highest {
+                *highest = value;
+            }
         }
     }
 
-    /// Last value of a column in every row.
+    /// Last value of a column in every row; not-a-number until observed.
     pub fn last(&self, column: usize) -> impl Iterator<Item = f64> {
-        self.of(&self.last, column)
+        every(self.columns, &self.last, column)
     }
 
-    /// Lowest value of a column in every row since the last [`Self::restart`].
-    pub fn lowest(&self, column: usize) -> impl Iterator<Item = f64> {
-        self.of(&self.lowest, column)
+    /// Lowest value in every row since the last [`Self::restart`] of the column that stands at a
+    /// place among those whose extremes are kept.
+    pub fn lowest(&self, place: usize) -> impl Iterator<Item = f64> {
+        every(self.extremes.len(), &self.lowest, place)
     }
 
-    /// Highest value of a column in every row since the last [`Self::restart`].
-    pub fn highest(&self, column: usize) -> impl Iterator<Item = f64> {
-        self.of(&self.highest, column)
+    /// Highest value, as [`Self::lowest`].
+    pub fn highest(&self, place: usize) -> impl Iterator<Item = f64> {
+        every(self.extremes.len(), &self.highest, place)
     }
 
     /// Begins the next interval at the last values.
     pub fn restart(&mut self) {
-        self.lowest.copy_from_slice(&self.last);
-        self.highest.copy_from_slice(&self.last);
+        let rows = self.last.chunks_exact(self.columns.max(1));
+        let last = rows.flat_map(|row| self.extremes.iter().map(|&column| row[column]));
+        for (value, (lowest, highest)) in last.zip(self.lowest.iter_mut().zip(&mut self.highest)) {
+            // Nothing is lower or higher than not-a-number: it must not begin an interval.
+            let known = !value.is_nan();
+            *lowest = if known { value } else { f64::INFINITY };
+            *highest = if known { value } else { f64::NEG_INFINITY };
+        }
     }
+}
 
-    fn of<'a>(&self, values: &'a [f64], column: usize) -> impl Iterator<Item = f64> + use<'a> {
-        values[column..].iter().step_by(self.columns).copied()
-    }
+/// The values of a column in rows of `columns`.
+fn every(columns: usize, values: &[f64], column: usize) -> impl Iterator<Item = f64> {
+    values[column..].iter().step_by(columns).copied()
 }
 
 #[cfg(test)]
@@ -66,7 +85,7 @@ mod tests {
 
     #[test]
     fn analytic_extremes_between_records_and_across_them() {
-        let mut accumulator = Accumulator::new(2, 1);
+        let mut accumulator = Accumulator::new(2, 1, vec![0]);
         for value in [1.0, -3.0, 2.0] {
             accumulator.observe(1, &[value]);
         }

@@ -7,6 +7,7 @@
 //! | `accumulator.rs` | last value, lowest and highest of every column between two records |
 //! | `writer.rs` | writes a table while the run goes on |
 //! | `parts.rs` | the files of a table: parts while the run goes on, one file at its end |
+//! | `open_part.rs` | the records since the last part, for when the program dies |
 //! | `reader.rs` | reads a column of a table, of a finished or of a killed run |
 //!
 //! Nothing here knows FMUs, and nothing in a file depends on the clock, on threads or on the
@@ -14,6 +15,7 @@
 
 mod accumulator;
 mod column;
+mod open_part;
 mod parts;
 mod reader;
 mod tables;
@@ -27,6 +29,7 @@ use std::path::{Path, PathBuf};
 use parquet::errors::ParquetError;
 
 pub use column::{Column, Key, KeyValues};
+pub use parts::complete;
 pub use reader::{KeyValue, SeriesReader};
 pub use tables::{Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys};
 pub use writer::SeriesWriter;

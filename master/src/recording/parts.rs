@@ -12,9 +12,12 @@
 //! - write the one file anew each recorded second: the work grows with the square of the time;
 //! - append rows and a new footer behind the old one: a write that a kill cuts short leaves a
 //!   file without footer, and every footer repeats all those before it;
-//! - write each recorded second as a file of its own under a hidden name, then rename it, which
+//! - write each recorded second (of a train alone: 50 s) as a file of its own under a hidden name, then rename it, which
 //!   is atomic: this is done here, because its cost is constant and a file once there is never
 //!   touched again.
+//!
+//! What is recorded after the last part is in an open one (`open_part.rs`), from which [`complete`]
+//! makes the last part of a run whose program has died.
 //!
 //! pandas, pyarrow, polars and DuckDB read a folder of parts as one table, and pass over the
 //! hidden file that a kill may leave. At the end of the run the parts are joined into one
@@ -26,6 +29,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use arrow::array::RecordBatch;
+use arrow::compute::concat_batches;
 use arrow::datatypes::{DataType, SchemaRef};
 use arrow::error::ArrowError;
 use parquet::arrow::ArrowWriter;
@@ -36,27 +40,24 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::schema::types::ColumnPath;
 
 use super::RecordingError;
+use super::open_part::{OpenPart, left_records};
 
 /// Stands in every file as its writer; has no version of ours or of a library, so that the
 /// bytes depend on the values only.
 const WRITER: &str = "hotfoot";
 
 /// The parts of a table that is being written.
-#[derive(Debug)]
 pub(super) struct Parts {
     folder: PathBuf,
     joined: PathBuf,
     written: usize,
+    open: OpenPart,
 }
 
 impl Parts {
     /// Begins a table; removes the file and the parts of an earlier one.
     pub fn create(folder: &Path, name: &str) -> Result<Self, RecordingError> {
-        let parts = Self {
-            folder: parts_folder(folder, name),
-            joined: joined_file(folder, name),
-            written: 0,
-        };
+        let parts = Self::of(parts_folder(folder, name), joined_file(folder, name));
         if parts.joined.exists() {
             fs::remove_file(&parts.joined).map_err(RecordingError::file(&parts.joined))?;
         }
@@ -65,7 +66,20 @@ impl Parts {
         Ok(parts)
     }
 
-    /// Writes the next part.
+    fn of(folder: PathBuf, joined: PathBuf) -> Self {
+        Self { open: OpenPart::new(&folder), folder, joined, written: 0 }
+    }
+
+    /// Adds a record to those since the last part.
+    pub fn append(
+        &mut self,
+        schema: &SchemaRef,
+        record: Result<RecordBatch, ArrowError>,
+    ) -> Result<(), RecordingError> {
+        self.open.append(schema, record)
+    }
+
+    /// Writes the next part, which has all records since the last one.
     pub fn write(
         &mut self,
         schema: &SchemaRef,
@@ -74,7 +88,7 @@ impl Parts {
         let file = self.folder.join(format!("part-{:05}.parquet", self.written));
         write_file(&file, schema, std::iter::once(batch.map_err(ParquetError::from)))?;
         self.written += 1;
-        Ok(())
+        self.open.clear()
     }
 
     /// Joins the parts into one file and removes them.
@@ -94,6 +108,43 @@ impl Parts {
             false => Ok(()),
         }
     }
+}
+
+/// Completes the tables of a run whose program has died: all that it recorded becomes one file a
+/// table, as at the end of a run.
+///
+/// # Errors
+/// When a file cannot be read or written.
+pub fn complete(folder: &Path) -> Result<(), RecordingError> {
+    let entries = fs::read_dir(folder).map_err(RecordingError::file(folder))?;
+    for entry in entries {
+        let parts = entry.map_err(RecordingError::file(folder))?.path();
+        if parts.extension().is_some_and(|extension| extension == "parts") {
+            complete_table(parts)?;
+        }
+    }
+    Ok(())
+}
+
+fn complete_table(folder: PathBuf) -> Result<(), RecordingError> {
+    let joined = folder.with_extension("parquet");
+    let written = part_files(&folder)?;
+    let left = left_records(&folder);
+    let schema = match (&left, written.first()) {
+        (Some((schema, _)), _) => schema.clone(),
+        (None, Some(part)) => schema_of(part).map_err(RecordingError::parquet(part))?,
+        // The run died before its first record.
+        (None, None) => return Ok(()),
+    };
+    let mut parts = Parts { written: written.len(), ..Parts::of(folder, joined) };
+    if let Some((schema, records)) = left {
+        parts.write(&schema, concat_batches(&schema, &records))?;
+    }
+    parts.join(&schema)
+}
+
+fn schema_of(file: &Path) -> Result<SchemaRef, ParquetError> {
+    Ok(ParquetRecordBatchReaderBuilder::try_new(File::open(file)?)?.schema().clone())
 }
 
 /// The files that hold the table `name`, in the order of time: the joined file, or the parts of

@@ -102,6 +102,45 @@ fn property_a_killed_run_leaves_every_complete_second() {
     assert_eq!(times[19], 1900.0 * 1e-3);
 }
 
+/// A run whose program died is completed to the bytes of one that ended there: in the middle of a
+/// part, at the end of one, and before the first.
+#[test]
+fn property_a_completed_run_has_every_record() {
+    for steps in [2000, 1900, 300] {
+        let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
+        let mut died = begin(folders[0].path());
+        step_through(&mut died, steps);
+        drop(died);
+        complete(folders[0].path()).unwrap();
+        let mut ended = begin(folders[1].path());
+        step_through(&mut ended, steps);
+        ended.finish().unwrap();
+        let read = |folder: &Path| {
+            let reader = SeriesReader::open(folder, "vehicles").unwrap();
+            ["time", "position", "force"].map(|column| reader.read(column, &[]).unwrap())
+        };
+        assert_eq!(read(folders[0].path()), read(folders[1].path()), "{steps} steps");
+        let files = contents(folders[0].path());
+        assert_eq!(files.keys().collect::<Vec<_>>(), [Path::new("vehicles.parquet")]);
+    }
+}
+
+/// A record that the death of the program cut short is left out.
+#[test]
+fn property_a_record_that_is_not_whole_is_passed_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = begin(folder.path());
+    step_through(&mut writer, 300);
+    drop(writer);
+    let open = folder.path().join("vehicles.parts/.open.arrows");
+    let bytes = fs::read(&open).unwrap();
+    fs::write(&open, &bytes[..bytes.len() - 100]).unwrap();
+    complete(folder.path()).unwrap();
+    let reader = SeriesReader::open(folder.path(), "vehicles").unwrap();
+    let times = reader.read("time", &[("vehicle", KeyValue::Integer(1))]).unwrap();
+    assert_eq!(times, [0.0, 0.1, 0.2]);
+}
+
 #[test]
 fn property_identical_runs_give_identical_bytes() {
     let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];

@@ -57,11 +57,13 @@ impl SeriesWriter {
             .chain(keys.iter().map(Key::field))
             .chain(columns.iter().flat_map(Column::fields))
             .collect();
+        let extremes = columns.iter().enumerate().filter(|(_, column)| column.has_extremes());
+        let extremes = extremes.map(|(index, _)| index).collect();
         Ok(Self {
             parts: Parts::create(folder, name)?,
             buffers: vec![vec![]; fields.len() - 1 - keys.len()],
             schema: Arc::new(Schema::new(fields)),
-            accumulator: Accumulator::new(rows, columns.len()),
+            accumulator: Accumulator::new(rows, columns.len(), extremes),
             columns,
             keys,
             rows,
@@ -95,17 +97,19 @@ impl SeriesWriter {
                 buffer.extend(values);
             }
         };
+        let mut place = 0;
         for (index, column) in self.columns.iter().enumerate() {
             store(&mut self.accumulator.last(index));
             if column.has_extremes() {
-                store(&mut self.accumulator.lowest(index));
-                store(&mut self.accumulator.highest(index));
+                store(&mut self.accumulator.lowest(place));
+                store(&mut self.accumulator.highest(place));
+                place += 1;
             }
         }
         self.accumulator.restart();
         match self.times.len() >= self.records_per_part {
             true => self.flush(),
-            false => Ok(()),
+            false => self.parts.append(&self.schema, self.batch(self.times.len() - 1)),
         }
     }
 
@@ -123,26 +127,28 @@ impl SeriesWriter {
         if self.times.is_empty() {
             return Ok(());
         }
-        let batch = self.batch();
+        let batch = self.batch(0);
         self.parts.write(&self.schema, batch)?;
         self.times.clear();
         self.buffers.iter_mut().for_each(Vec::clear);
         Ok(())
     }
 
-    /// The buffered records as Arrow has them.
-    fn batch(&self) -> Result<RecordBatch, arrow::error::ArrowError> {
-        let times = self.times.iter();
-        let times = times.flat_map(|&time| std::iter::repeat_n(time, self.rows));
+    /// The buffered records from number `first` on as Arrow has them.
+    fn batch(&self, first: usize) -> Result<RecordBatch, arrow::error::ArrowError> {
+        let times = &self.times[first..];
+        let count = times.len();
+        let times = times.iter().flat_map(|&time| std::iter::repeat_n(time, self.rows));
         let mut arrays: Vec<ArrayRef> = vec![Arc::new(times.collect::<Float64Array>())];
-        arrays.extend(self.keys.iter().map(|key| key.array(self.times.len())));
+        arrays.extend(self.keys.iter().map(|key| key.array(count)));
 
         let stored = self.columns.iter().flat_map(|column| {
             let count = if column.has_extremes() { 3 } else { 1 };
             std::iter::repeat_n(column, count)
         });
         let values = stored.zip(&self.buffers);
-        arrays.extend(values.map(|(column, buffer)| column.array(buffer)));
+        let from = first * self.rows;
+        arrays.extend(values.map(|(column, buffer)| column.array(&buffer[from..])));
         RecordBatch::try_new(self.schema.clone(), arrays)
     }
 }

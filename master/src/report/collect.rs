@@ -8,7 +8,7 @@ use serde::Deserialize;
 use super::ReportError;
 use super::data::{Curve, RailField, ReportData, Snapshot, VehicleSeries};
 use super::facts::{EnergyLine, RunFacts};
-use super::main_figures;
+use super::{main_figures, rail_figures};
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Column of the train in which the notch stands.
@@ -28,20 +28,16 @@ pub(super) struct Results {
     pub train: SeriesReader,
     /// The vehicles.
     pub vehicles: SeriesReader,
-    /// Temperature of the heated rail.
-    pub field: Option<FieldReader>,
 }
 
 impl Results {
-    /// Opens `manifest.toml`, `series/` and, if there is one, `rail.zarr` in `folder`.
+    /// Opens `manifest.toml` and `series/` in `folder`.
     pub fn open(folder: &Path) -> Result<Self, ReportError> {
         let series = folder.join("series");
-        let field = folder.join("rail.zarr");
         Ok(Self {
             facts: facts(&folder.join("manifest.toml"))?,
             train: SeriesReader::open(&series, "train")?,
             vehicles: SeriesReader::open(&series, "vehicles")?,
-            field: field.exists().then(|| FieldReader::open(&field)).transpose()?,
         })
     }
 }
@@ -52,11 +48,21 @@ impl Results {
 /// When one of them is missing or cannot be read.
 pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
     let results = Results::open(folder)?;
-    let Results { facts, train, vehicles, field } = &results;
+    let Results { facts, train, vehicles } = &results;
     let leading = [("vehicle", KeyValue::Integer(1))];
     let time = vehicles.read("time", &leading)?;
     let positions = vehicles.read("position", &[])?;
-    let field = field.as_ref().map(|field| rail_field(field, facts, &time, &positions));
+    let mut rails = vec![];
+    if let Some(of_rails) = &facts.rails {
+        rails = rail_figures::of_run(folder, of_rails)?;
+        for (rail, store) in rails.iter_mut().zip(&of_rails.fields) {
+            let store = folder.join(store);
+            if store.is_dir() {
+                let field = FieldReader::open(&store)?;
+                rail.field = Some(rail_field(&field, facts, &time, &positions)?);
+            }
+        }
+    }
     let plotted = facts.plotted.iter().filter(|&&place| (1..=facts.vehicles).contains(&place));
     let plotted = plotted.map(|&place| vehicle(vehicles, facts, place));
     Ok(ReportData {
@@ -69,7 +75,7 @@ pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
         },
         time,
         vehicles: plotted.collect::<Result<_, _>>()?,
-        field: field.transpose()?,
+        rails,
         facts: facts.clone(),
     })
 }
@@ -123,8 +129,9 @@ fn vehicle(
 
 /// The field at the wanted times, each with the places of the vehicles at that time.
 ///
-/// `positions` holds the vehicles' positions record by record. A wanted time that the run has
-/// not reached is left out, as is one that falls on the same snapshot as another.
+/// `positions` holds the vehicles' positions record by record; none stands there after the run. A
+/// wanted time that the field has not reached is left out, as is one that falls on the same
+/// snapshot as another.
 fn rail_field(
     reader: &FieldReader,
     facts: &RunFacts,
@@ -136,7 +143,8 @@ fn rail_field(
         depth: reader.axes().depth.clone(),
         snapshots: vec![],
     };
-    let reached = time.last().copied().unwrap_or(f64::NEG_INFINITY);
+    let reached = reader.times().last().copied().unwrap_or(f64::NEG_INFINITY);
+    let reached = reached.max(time.last().copied().unwrap_or(reached));
     for &wanted in facts.heat_maps_at_s.iter().filter(|&&wanted| wanted <= reached) {
         let snapshot = reader.at_time(wanted)?;
         if field.snapshots.iter().any(|other| other.time == snapshot.time) {

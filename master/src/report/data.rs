@@ -1,6 +1,7 @@
 //! What the report shows: plain vectors, in SI units.
 
 use super::facts::{EnergyLine, RunFacts};
+use super::quantity::{seconds, with_unit};
 
 /// All that a report shows.
 #[derive(Debug, Clone, Default)]
@@ -19,19 +20,109 @@ pub struct ReportData {
     pub notch: Vec<f64>,
     /// The plotted vehicles, from the head of the train.
     pub vehicles: Vec<VehicleSeries>,
-    /// Temperature of the heated rail.
+    /// The heated rails.
+    pub rails: Vec<RailData>,
+}
+
+impl ReportData {
+    /// The highest rise in all fields, K.
+    pub fn highest_of_fields(&self) -> f64 {
+        let fields = self.rails.iter().filter_map(|rail| rail.field.as_ref());
+        let snapshots = fields.flat_map(|field| &field.snapshots);
+        snapshots.flat_map(|snapshot| &snapshot.rise).copied().fold(0.0, f32::max).into()
+    }
+}
+
+/// A line of a table of figures; programs find it under its key in the manifest.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct MainFigure {
+    /// Its name for programs, such as `left.foot.highest`.
+    pub key: String,
+    /// What it is.
+    pub name: String,
+    /// The value in SI units; none if there is none, such as the time of what never happened.
+    pub value: Option<f64>,
+    /// SI unit of the value.
+    pub unit: String,
+    /// The value with its unit as people read it.
+    pub text: String,
+    /// Where and when, in words.
+    pub place: String,
+    /// Where on the track, m.
+    pub chainage_m: Option<f64>,
+    /// When, s.
+    pub time_s: Option<f64>,
+}
+
+impl MainFigure {
+    /// A figure whose text has three digits.
+    pub fn new(key: impl Into<String>, name: impl Into<String>, value: f64, unit: &str) -> Self {
+        Self {
+            key: key.into(),
+            name: name.into(),
+            value: Some(value),
+            unit: unit.to_owned(),
+            text: with_unit(value, unit),
+            place: String::new(),
+            chainage_m: None,
+            time_s: None,
+        }
+    }
+
+    /// Whether it is worth a line on the terminal: heat by source is for the report and programs.
+    pub fn is_told(&self) -> bool {
+        !self.key.contains(".heat.")
+    }
+
+    /// The figure with words for where and when.
+    #[must_use]
+    pub fn at(self, place: impl Into<String>) -> Self {
+        Self { place: place.into(), ..self }
+    }
+
+    /// The figure with its place on the track and its time.
+    #[must_use]
+    pub fn on_track(self, chainage_m: f64, time_s: f64) -> Self {
+        let place = format!("chainage {chainage_m:.1} m at {} s", seconds(time_s));
+        Self { chainage_m: Some(chainage_m), time_s: Some(time_s), ..self.at(place) }
+    }
+}
+
+/// What the report shows of a heated rail.
+#[derive(Debug, Clone, Default)]
+pub struct RailData {
+    /// `left` or `right`.
+    pub side: String,
+    /// What the run says of it.
+    pub figures: Vec<MainFigure>,
+    /// Its energies at the end of the run.
+    pub energy: Vec<EnergyLine>,
+    /// What cameras see of its foot; none if the model does not tell.
+    pub foot: Option<Foot>,
+    /// Heat per metre by source, at the probes and in the mean.
+    pub heat: Vec<HeatAt>,
+    /// Its temperature field.
     pub field: Option<RailField>,
 }
 
-/// A line of the table of main figures.
-#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
-pub struct MainFigure {
-    /// What it is.
-    pub name: String,
-    /// The value with its unit.
-    pub value: String,
-    /// Where and when.
+/// Rise of a rail's foot over rail that no wheel has touched.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Foot {
+    /// Times of the records, s.
+    pub time: Vec<f64>,
+    /// Highest along the track at these times, K.
+    pub highest: Vec<f64>,
+    /// Under the last wheel at these times, K.
+    pub under_train: Vec<f64>,
+}
+
+/// Heat per metre of rail by source, at a place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeatAt {
+    /// The place in words.
     pub place: String,
+    /// Heat of each of [`super::rail_figures::SOURCES`], J/m.
+    pub sources: Vec<f64>,
 }
 
 /// The series of a plotted vehicle at the times of the records.

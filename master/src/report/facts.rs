@@ -16,9 +16,12 @@ pub struct RunFacts {
     pub locomotives: Vec<usize>,
     /// Places in the train, from 1, of the vehicles that the report plots.
     pub plotted: Vec<usize>,
-    /// Which rail is heated, `left` or `right`; empty without rail heat.
+    /// The heated rails; none without rail heat.
     #[serde(default)]
-    pub rail: String,
+    pub rails: Option<RailFacts>,
+    /// What was foreseen before the first step, such as wheels outside the modelled rail.
+    #[serde(default)]
+    pub notes: Vec<String>,
     /// Times whose temperature field the report shows, s.
     #[serde(default)]
     pub heat_maps_at_s: Vec<f64>,
@@ -34,6 +37,25 @@ pub struct RunFacts {
     /// Energy audit of the run.
     #[serde(default)]
     pub energy: Vec<EnergyLine>,
+}
+
+/// What the run knows of the heated rails.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct RailFacts {
+    /// `left`, `right` or both.
+    pub sides: Vec<String>,
+    /// Name of the store with the field of each of them.
+    pub fields: Vec<String>,
+    /// Heat model.
+    pub model: String,
+    /// Length of the modelled rail, m.
+    pub length_m: f64,
+    /// Rise of the foot that a camera can see, K.
+    pub detection_threshold_k: f64,
+    /// Trains that passed, that of the run included.
+    pub trains: u32,
+    /// When the last train's run ended, s.
+    pub last_train_end_s: f64,
 }
 
 /// A line of the energy audit.

@@ -5,10 +5,13 @@ use std::ops::Range;
 use serde::Serialize;
 
 use super::ReportError;
-use super::data::{Curve, RailField, ReportData, VehicleSeries};
+use super::data::{Curve, Foot, RailData, RailField, ReportData, VehicleSeries};
+use super::facts::RailFacts;
+use super::heat_by_source;
 use super::line_chart::LineChart;
 use super::palette;
 use super::quantity::seconds;
+use super::rail_figures::SOURCES;
 
 /// A figure: panels one below the other.
 #[derive(Serialize)]
@@ -144,8 +147,70 @@ fn vehicle_figure(
     Ok(Figure { title, caption, panels })
 }
 
+/// Rise of the foot over untouched rail: along the track over the whole time, and under the last
+/// wheel while the train runs; none if no rail's model tells it.
+pub(super) fn foot(rails: &[RailData], facts: &RailFacts) -> Result<Option<Figure>, ReportError> {
+    let feet: Vec<(&str, &Foot)> =
+        rails.iter().filter_map(|rail| Some((rail.side.as_str(), rail.foot.as_ref()?))).collect();
+    let Some(&(_, first)) = feet.first() else { return Ok(None) };
+    let threshold = Curve::plain(vec![facts.detection_threshold_k; first.time.len()]);
+    let panel = |name, quantity: &dyn Fn(&Foot) -> Vec<f64>, count: usize, unit: (&str, f64)| {
+        let curves: Vec<Curve> =
+            feet.iter().map(|(_, foot)| Curve::plain(quantity(foot)[..count].to_vec())).collect();
+        let places: Vec<f64> = first.time[..count].iter().map(|time| time / unit.1).collect();
+        let chart = LineChart {
+            title: "Rise of the foot",
+            horizontal: &format!("Time in {}", unit.0),
+            places: &places,
+            quantity: "Rise",
+            unit: "K",
+            height: 460,
+            curves: curves.iter().chain([&threshold]).collect(),
+            first_colour: 0,
+            steps: false,
+        };
+        let labels = feet.iter().map(|(side, _)| format!("{side} rail"));
+        let labels = labels.chain(["threshold of detection".to_owned()]);
+        Ok::<_, ReportError>(Panel { name, legend: legend(labels, 0), svg: chart.svg()? })
+    };
+    let run = first.time.partition_point(|&time| time <= facts.last_train_end_s + 1e-9);
+    Ok(Some(Figure {
+        title: "Rise of the foot",
+        caption: "Rise over rail that no wheel has touched, at the same time.",
+        panels: vec![
+            panel(
+                "Highest along the track",
+                &|f| f.highest.clone(),
+                first.time.len(),
+                ("min", 60.0),
+            )?,
+            panel("Under the last wheel", &|f| f.under_train.clone(), run, ("s", 1.0))?,
+        ],
+    }))
+}
+
+/// Heat per metre by source, a panel for each rail; none if no rail's model tells it.
+pub(super) fn heat(rails: &[RailData]) -> Result<Option<Figure>, ReportError> {
+    let mut panels = vec![];
+    for rail in rails.iter().filter(|rail| !rail.heat.is_empty()) {
+        let labels = SOURCES.iter().map(|(_, words)| (*words).to_owned());
+        let svg = heat_by_source::svg(&rail.heat)?;
+        panels.push(Panel { name: panel_name(&rail.side), legend: legend(labels, 0), svg });
+    }
+    Ok((!panels.is_empty()).then_some(Figure {
+        title: "Heat per metre by source",
+        caption: "At the end, positive into the rail. The weather acts on the whole rail all the time, with \
+                  and without a train.",
+        panels,
+    }))
+}
+
 /// Rise on the surface along the track, a line for each time.
-pub(super) fn surface(field: &RailField, elements: Range<usize>) -> Result<Figure, ReportError> {
+pub(super) fn surface(
+    side: &str,
+    field: &RailField,
+    elements: Range<usize>,
+) -> Result<Figure, ReportError> {
     let rises = |snapshot| {
         let rises = field.surface(snapshot).skip(elements.start).take(elements.len());
         Curve::plain(rises.map(f64::from).collect())
@@ -166,8 +231,17 @@ pub(super) fn surface(field: &RailField, elements: Range<usize>) -> Result<Figur
     Ok(Figure {
         title: "Surface rise along the track",
         caption: "Rise in the uppermost cell; bands show the range of the elements within a pixel.",
-        panels: vec![Panel { name: "", legend: legend(labels, 0), svg: chart.svg()? }],
+        panels: vec![Panel {
+            name: panel_name(side),
+            legend: legend(labels, 0),
+            svg: chart.svg()?,
+        }],
     })
+}
+
+/// The name of a rail's panel.
+fn panel_name(side: &str) -> &'static str {
+    if side == "left" { "Left rail" } else { "Right rail" }
 }
 
 /// The labels with the colours of their lines.

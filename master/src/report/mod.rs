@@ -7,10 +7,12 @@
 //! | `facts.rs` | what the run itself adds to the results: the part `[run]` of the manifest |
 //! | `collect.rs` | reads it from the folder of a run |
 //! | `main_figures.rs` | the table of main figures |
+//! | `rail_figures.rs` | what the run says of each rail |
 //! | `quantity.rs` | numbers with SI prefixes |
 //! | `figures.rs` | the figures with curves |
 //! | `palette.rs` | colours of lines and of heat |
 //! | `line_chart.rs` | curves over time or chainage, as SVG |
+//! | `heat_by_source.rs` | heat per metre by source, as bars |
 //! | `heat_map.rs` | temperature rise over chainage and depth, as a picture with axes |
 //! | `page.rs` | the page, from `templates/report.html` |
 //! | `write.rs` | all of it: from a results folder to `report.html` |
@@ -21,12 +23,14 @@ mod collect;
 mod data;
 mod facts;
 mod figures;
+mod heat_by_source;
 mod heat_map;
 mod line_chart;
 mod main_figures;
 mod page;
 mod palette;
 mod quantity;
+mod rail_figures;
 mod write;
 
 #[cfg(test)]
@@ -38,7 +42,7 @@ use crate::recording::RecordingError;
 
 use collect::collect;
 pub use data::MainFigure;
-pub use facts::{EnergyLine, RunFacts};
+pub use facts::{EnergyLine, RailFacts, RunFacts};
 use page::render;
 pub use write::write;
 

@@ -5,7 +5,7 @@ use minijinja::value::Serde;
 use serde::Serialize;
 
 use super::ReportError;
-use super::data::{MainFigure, ReportData};
+use super::data::{MainFigure, RailData, ReportData};
 use super::facts::RunFacts;
 use super::figures::{self, Figure};
 use super::heat_map::{HeatMap, HeatMaps, warm_elements};
@@ -23,13 +23,31 @@ struct Page<'a> {
     main_figures: &'a [MainFigure],
     energy: Vec<(&'a str, String)>,
     figures: Vec<Figure>,
-    heat: Option<HeatFigure>,
-    surface: Option<Figure>,
+    rail_tables: Vec<RailTable<'a>>,
+    rail_figures: Vec<Figure>,
+    heat: Vec<HeatFigure>,
+    surfaces: Vec<Figure>,
+}
+
+/// A table with a column for each rail.
+#[derive(Serialize)]
+struct RailTable<'a> {
+    title: &'a str,
+    caption: &'a str,
+    rows: Vec<(&'a str, Vec<Cell<'a>>)>,
+}
+
+/// A value with its place.
+#[derive(Serialize)]
+struct Cell<'a> {
+    value: String,
+    place: &'a str,
 }
 
 /// The heat maps with their colour bar.
 #[derive(Serialize)]
 struct HeatFigure {
+    rail: String,
     maps: Vec<NamedMap>,
     stops: Vec<String>,
     ticks: Vec<Tick>,
@@ -62,17 +80,24 @@ pub fn render(data: &ReportData) -> Result<String, ReportError> {
         main_figures: &data.main_figures,
         energy: energy.map(|line| (line.name.as_str(), with_unit(line.joules, "J"))).collect(),
         figures: figures::over_time(data)?,
-        heat: None,
-        surface: None,
+        rail_tables: rail_tables(&data.rails),
+        rail_figures: vec![],
+        heat: vec![],
+        surfaces: vec![],
     };
-    if let Some(field) = data.field.as_ref().filter(|field| !field.snapshots.is_empty()) {
-        let rises = field.snapshots.iter().flat_map(|snapshot| &snapshot.rise);
-        let scale = HeatScale::of(rises.copied().fold(0.0, f32::max).into());
+    if let Some(facts) = &data.facts.rails {
+        page.rail_figures.extend(figures::foot(&data.rails, facts)?);
+        page.rail_figures.extend(figures::heat(&data.rails)?);
+    }
+    let scale = HeatScale::of(data.highest_of_fields());
+    for rail in &data.rails {
+        let Some(field) = rail.field.as_ref().filter(|f| !f.snapshots.is_empty()) else { continue };
         let elements = warm_elements(field, scale);
-        page.surface = Some(figures::surface(field, elements.clone())?);
+        page.surfaces.push(figures::surface(&rail.side, field, elements.clone())?);
         let locomotives = &data.facts.locomotives;
         let curves = &data.facts.curves_m;
-        page.heat = Some(heat_figure(HeatMaps { field, scale, elements, locomotives, curves })?);
+        let maps = HeatMaps { field, scale, elements, locomotives, curves };
+        page.heat.push(heat_figure(&rail.side, maps)?);
     }
     let mut environment = Environment::new();
     environment.add_template("report.html", include_str!("../../templates/report.html"))?;
@@ -80,8 +105,35 @@ pub fn render(data: &ReportData) -> Result<String, ReportError> {
     Ok(template.render(Serde(&page))?)
 }
 
+/// The tables with what the run says of each rail: all rails have the same lines.
+fn rail_tables(rails: &[RailData]) -> Vec<RailTable<'_>> {
+    let Some(first) = rails.first() else { return vec![] };
+    let figure = |row: usize| {
+        let figures = rails.iter().map(|rail| &rail.figures[row]);
+        let cells = figures.map(|figure| Cell { value: figure.text.clone(), place: &figure.place });
+        (first.figures[row].name.as_str(), cells.collect())
+    };
+    let energy = |row: usize| {
+        let energies = rails.iter().map(|rail| rail.energy[row].joules);
+        let cells = energies.map(|energy| Cell { value: with_unit(energy, "J"), place: "" });
+        (first.energy[row].name.as_str(), cells.collect())
+    };
+    vec![
+        RailTable {
+            title: "Temperature of the rail",
+            caption: "Rises are above the initial state where nothing else is said.",
+            rows: (0..first.figures.len()).map(figure).collect(),
+        },
+        RailTable {
+            title: "Energy audit of the rail",
+            caption: "At the end, for the whole modelled rail.",
+            rows: (0..first.energy.len()).map(energy).collect(),
+        },
+    ]
+}
+
 /// The heat maps, all with one scale of colours and chainages.
-fn heat_figure(maps: HeatMaps<'_>) -> Result<HeatFigure, ReportError> {
+fn heat_figure(side: &str, maps: HeatMaps<'_>) -> Result<HeatFigure, ReportError> {
     let HeatMaps { field, scale, .. } = maps;
     let named = field.snapshots.iter().map(|snapshot| {
         Ok(NamedMap { name: format!("At {} s", seconds(snapshot.time)), map: maps.draw(snapshot)? })
@@ -92,6 +144,7 @@ fn heat_figure(maps: HeatMaps<'_>) -> Result<HeatFigure, ReportError> {
         label: round_with_unit(rise, "K"),
     };
     Ok(HeatFigure {
+        rail: side.to_owned(),
         maps: named.collect::<Result<_, ReportError>>()?,
         stops: HEAT.map(palette::html).to_vec(),
         ticks: scale.ticks().map(tick).collect(),

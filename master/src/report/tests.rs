@@ -4,7 +4,7 @@ use field::{Axes, FieldWriter};
 
 use super::data::ReportData;
 use super::*;
-use crate::recording::{Column, SeriesWriter, VehicleRow, vehicle_keys};
+use crate::recording::{Column, Key, KeyValues, SeriesWriter, VehicleRow, vehicle_keys};
 
 const VEHICLES: usize = 10;
 const LOCOMOTIVES: usize = 2;
@@ -17,10 +17,9 @@ fn write_run(folder: &Path, facts: &RunFacts) {
     let columns = vec![
         Column::new("driver.in_force.notch", "1", "Notch in force"),
         Column::new("energy.traction", "J", "Work of traction since the start"),
-        Column::new("rail.highest.surface.rise", "K", "Highest rise at the surface").double(),
-        Column::new("rail.highest.surface.chainage", "m", "Chainage of it").double(),
     ];
     let mut train = SeriesWriter::create(&series, "train", vec![], columns, 10).unwrap();
+    let mut rails = rail_table(&series);
     let keys = vehicle_keys(VEHICLES);
     let mut vehicles =
         SeriesWriter::create(&series, "vehicles", keys, VehicleRow::columns(), 10).unwrap();
@@ -28,8 +27,12 @@ fn write_run(folder: &Path, facts: &RunFacts) {
         let time = record as f64 / 10.0;
         let position = SPEED * time;
         let rise = if (50.0..150.0).contains(&position) { 2.0 - 0.1 * time } else { 0.0 };
-        train.observe(0, &[5.0, 1e3 * time, rise, position]);
+        train.observe(0, &[5.0, 1e3 * time]);
         train.record(time).unwrap();
+        for (row, share) in [1.0, 0.5].into_iter().enumerate() {
+            rails.observe(row, &rail_row(share, time, rise, position));
+        }
+        rails.record(time).unwrap();
         for index in 0..VEHICLES {
             let position = position - 20.0 * index as f64;
             let in_curve = (50.0..150.0).contains(&position);
@@ -49,12 +52,80 @@ fn write_run(folder: &Path, facts: &RunFacts) {
     }
     train.finish().unwrap();
     vehicles.finish().unwrap();
-    write_field(&folder.join("rail.zarr"));
+    for minute in 1..=30 {
+        let time = SECONDS as f64 + 60.0 * f64::from(minute);
+        for (row, share) in [1.0, 0.5].into_iter().enumerate() {
+            rails.observe(row, &rail_row(share, time, 0.0, -1.0));
+        }
+        rails.record(time).unwrap();
+    }
+    rails.finish().unwrap();
+    write_field(&folder.join("rail-left.zarr"));
     let manifest = toml::Table::from_iter(
         [("run", toml::Value::try_from(facts).unwrap())]
             .map(|(key, value)| (key.to_owned(), value)),
     );
     std::fs::write(folder.join("manifest.toml"), manifest.to_string()).unwrap();
+}
+
+/// The table of two rails with the outputs that the report looks for.
+fn rail_table(series: &Path) -> SeriesWriter {
+    let column =
+        |&(name, unit): &(&str, &str)| Column::new(name, unit, &format!("The {name}")).double();
+    let mut columns: Vec<Column> = RAIL_COLUMNS.iter().map(column).collect();
+    columns.push(Column::new(
+        "probe[1].heat",
+        "J/m",
+        "Heat above the initial state at chainage 100 m",
+    ));
+    let keys = vec![Key {
+        name: "rail".to_owned(),
+        description: "Rail".to_owned(),
+        values: KeyValues::Text(vec!["left".to_owned(), "right".to_owned()]),
+    }];
+    SeriesWriter::create(series, "rail", keys, columns, 10).unwrap()
+}
+
+const RAIL_COLUMNS: [(&str, &str); 21] = [
+    ("highest.surface.rise", "K"),
+    ("highest.surface.chainage", "m"),
+    ("foot.present.rise", "K"),
+    ("foot.present.chainage", "m"),
+    ("foot.highest.rise", "K"),
+    ("foot.highest.chainage", "m"),
+    ("foot.highest.time", "s"),
+    ("foot.detection.chainage", "m"),
+    ("foot.detection.time", "s"),
+    ("camera.train.rise", "K"),
+    ("camera.train.highest.rise", "K"),
+    ("camera.train.highest.chainage", "m"),
+    ("camera.train.highest.time", "s"),
+    ("energy.friction", "J"),
+    ("energy.chill", "J"),
+    ("energy.bending", "J"),
+    ("energy.weather", "J"),
+    ("probe[1].heat.friction", "J/m"),
+    ("probe[1].heat.chill", "J/m"),
+    ("probe[1].heat.bending", "J/m"),
+    ("probe[1].heat.weather", "J/m"),
+];
+
+/// The foot of the left rail rises by 1 mK a minute until minute 25 and falls by as much then; the
+/// right rail has half of it, so that it stays below 15 mK.
+fn rail_row(share: f64, time: f64, surface: f64, position: f64) -> Vec<f64> {
+    let minutes = time / 60.0;
+    let foot = share * 1e-3 * (25.0 - (minutes - 25.0).abs());
+    let highest = share * 1e-3 * minutes.min(25.0);
+    let detection = if share == 1.0 && minutes >= 15.0 { [88.0, 900.0] } else { [-1.0, -1.0] };
+    let camera = [share * 1e-4, share * 1e-4, 77.0, 19.0];
+    let mut row = vec![share * surface, position, foot, 99.0];
+    row.extend([highest, 99.0, 60.0 * minutes.min(25.0)]);
+    row.extend(detection);
+    row.extend(camera);
+    row.extend([6e3, -3e3, 3e2, 0.0].map(|energy| share * energy));
+    row.extend([60.0, -30.0, 3.0, 0.0].map(|heat| share * heat));
+    row.push(33.0);
+    row
 }
 
 /// Rises that fall with depth, between chainages 50 m and 150 m, of 2 K at the end of the run.
@@ -82,7 +153,16 @@ fn facts() -> RunFacts {
         vehicles: VEHICLES,
         locomotives: (1..=LOCOMOTIVES).collect(),
         plotted: vec![1, 2, 3, 10, 99],
-        rail: "left".to_owned(),
+        rails: Some(RailFacts {
+            sides: vec!["left".to_owned(), "right".to_owned()],
+            fields: vec!["rail-left.zarr".to_owned(), "rail-right.zarr".to_owned()],
+            model: "energy".to_owned(),
+            length_m: 300.0,
+            detection_threshold_k: 0.015,
+            trains: 1,
+            last_train_end_s: SECONDS as f64,
+        }),
+        notes: vec!["wheels <outside> heat nothing".to_owned()],
         heat_maps_at_s: vec![10.0, 20.0, 160.0],
         curves_m: vec![[50.0, 150.0]],
         step_s: 1e-3,
@@ -111,7 +191,11 @@ fn the_page_has_every_section_and_stands_alone() {
         "Longitudinal creep forces",
         "Synchronisation forces",
         "Position errors",
-        "Rail temperature rise",
+        "Temperature of the rail",
+        "Energy audit of the rail",
+        "Rise of the foot",
+        "Heat per metre by source",
+        "Rail temperature rise: left rail",
         "At 10 s",
         "At 20 s",
         "Surface rise along the track",
@@ -120,6 +204,7 @@ fn the_page_has_every_section_and_stands_alone() {
     }
     assert_eq!(page.matches("<image href=\"data:image/png;base64,").count(), 2);
     assert!(page.contains("Curve &lt;test&gt; &amp; more"), "the title is escaped");
+    assert!(page.contains("wheels &lt;outside&gt; heat nothing"), "the note is shown");
     for attribute in ["src=", "href="] {
         for place in page.match_indices(attribute) {
             let target = &page[place.0 + attribute.len() + 1..];
@@ -139,18 +224,60 @@ fn analytic_main_figures_of_an_invented_run() {
     let figure = |name: &str| {
         let found = data.main_figures.iter().find(|figure| figure.name == name);
         let found = found.unwrap_or_else(|| panic!("{name} is missing"));
-        (found.value.as_str(), found.place.as_str())
+        (found.text.as_str(), found.place.as_str())
     };
     assert_eq!(figure("Distance run"), ("300.0 m", "in 20 s"));
-    assert_eq!(figure("Speed at start and end").0, "15.00 and 15.00 m/s");
+    assert_eq!(figure("Speed at the end"), ("15.00 m/s", "change +0.00 m/s"));
     let tension = figure("Largest coupler tension");
     assert_eq!(tension, ("90.0 kN", "rear coupler of vehicle 1 at 0 s"));
     assert_eq!(figure("Largest coupler compression").0, "0 N");
     let creep = figure("Largest longitudinal creep force of a vehicle");
     assert_eq!(creep, ("50.0 kN", "vehicle 1 at 0 s"));
     assert!(figure("Wall time").1.starts_with("5.00 times real time"));
-    let surface = figure("Highest rise at the surface");
-    assert_eq!(surface, ("1.66 K", "chainage 51.0 m at 3.4 s"));
+}
+
+/// The rows are those of [`rail_row`]: the left foot reaches 15 mK after 15 min, and 25 mK after
+/// 25 min; the record nearest to that is that of 25 min and 20 s.
+#[test]
+fn analytic_the_answer_on_the_foot_of_each_rail() {
+    let (data, page) = report(&facts());
+    let figure = |rail: usize, key: &str| {
+        let found = data.rails[rail].figures.iter().find(|figure| figure.key == key);
+        found.unwrap_or_else(|| panic!("{key} is missing")).clone()
+    };
+    let surface = figure(0, "left.highest.surface");
+    assert_eq!(
+        (surface.text.as_str(), surface.place.as_str()),
+        ("1.66 K", "chainage 51.0 m at 3.4 s")
+    );
+    let highest = figure(0, "left.foot.highest");
+    assert_eq!((highest.text.as_str(), highest.time_s), ("25.0 mK", Some(1500.0)));
+    let detection = figure(0, "left.foot.detection");
+    assert_eq!((detection.value, detection.chainage_m), (Some(900.0), Some(88.0)));
+    let never = figure(1, "right.foot.detection");
+    assert_eq!((never.value, never.text.as_str()), (None, "never"));
+    assert_eq!(figure(1, "right.camera.train").text, "50.0 µK");
+    let side = figure(0, "left.camera.track_side");
+    assert_eq!((side.text.as_str(), side.time_s), ("24.7 mK", Some(1520.0)));
+    assert!(side.place.ends_with("25.0 min after the run of the last train"), "{}", side.place);
+    assert_eq!(data.rails[1].heat[0].place, "chainage 100 m");
+    assert_eq!(data.rails[1].heat[1].sources, [10.0, -5.0, 0.5, 0.0], "the mean over 300 m");
+    assert_eq!(data.rails[0].energy[1].joules, -3e3);
+    assert!(page.contains("chainage 88.0 m at 900 s") && page.contains("never"));
+}
+
+/// The paper's model has no answer on the foot, and a run without time after the train says that a
+/// camera at the track side was not simulated.
+#[test]
+fn what_a_run_does_not_tell_is_not_made_up() {
+    let of_rails = facts().rails.unwrap();
+    let paper = RailFacts { model: "paper".to_owned(), ..of_rails.clone() };
+    let (data, page) = report(&RunFacts { rails: Some(paper), ..facts() });
+    assert!(data.rails.iter().all(|rail| rail.foot.is_none() && rail.heat.is_empty()));
+    assert!(!page.contains("Rise of the foot") && page.contains("Temperature of the rail"));
+    let no_cooling = RailFacts { last_train_end_s: 1e9, ..of_rails };
+    let (_, page) = report(&RunFacts { rails: Some(no_cooling), ..facts() });
+    assert!(page.contains("not simulated") && page.contains("heat.cool_down_minutes"));
 }
 
 #[test]
@@ -160,7 +287,8 @@ fn what_is_collected_is_what_the_run_has() {
     assert_eq!(places, [1, 2, 3, 10], "a vehicle that the train has not is left out");
     assert_eq!(data.energy[0].name, "Work of traction since the start");
     assert_eq!(data.vehicles[0].coupler_force.value.len(), data.time.len());
-    let field = data.field.unwrap();
+    let field = data.rails[0].field.as_ref().unwrap();
+    assert!(data.rails[1].field.is_none(), "no field was written of the right rail");
     let times: Vec<_> = field.snapshots.iter().map(|snapshot| snapshot.time).collect();
     assert_eq!(times, [10.0, 20.0], "a time that the run has not reached is left out");
     assert_eq!(field.snapshots[0].vehicles[1], 10.0 * SPEED - 20.0);
@@ -170,9 +298,9 @@ fn what_is_collected_is_what_the_run_has() {
 #[test]
 fn a_run_without_rail_heat_or_locomotives_has_a_report() {
     let facts = RunFacts { locomotives: vec![], wall_time_s: None, energy: vec![], ..facts() };
+    let facts = RunFacts { rails: None, ..facts };
     let folder = tempfile::tempdir().unwrap();
     write_run(folder.path(), &facts);
-    std::fs::remove_dir_all(folder.path().join("rail.zarr")).unwrap();
     let page = render(&collect(folder.path()).unwrap()).unwrap();
     assert!(page.contains("this run has not finished"));
     assert!(!page.contains("Rail temperature rise"));

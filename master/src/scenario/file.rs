@@ -7,6 +7,9 @@ use garde::Validate;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::heat::Heat;
+use super::value::Value;
+
 /// What is run: the train on its track, how it is driven, what is computed and recorded.
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields)]
@@ -81,9 +84,40 @@ pub struct Train {
     /// Speed at the start, m/s.
     #[garde(range(min = 0.0, max = 60.0))]
     pub speed_m_per_s: f64,
+    /// How the couplers are at the start; left out: as the train's FMU has it, which is in balance
+    /// for Hotfoot's own.
+    #[garde(skip)]
+    pub couplers: Option<Couplers>,
+    /// Wind over the line; left out: none.
+    #[garde(dive)]
+    pub wind: Option<Wind>,
     /// Groups of equal vehicles from head to tail.
     #[garde(length(min = 1), dive)]
     pub vehicles: Vec<VehicleGroup>,
+}
+
+/// How the couplers are at the start: the values of the train's parameter `initial.couplers`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Couplers {
+    /// Without force, in the middle of their slack.
+    Unstressed = 0,
+    /// Loaded to the forces of uniform acceleration.
+    InBalance = 1,
+}
+
+/// A uniform wind over the line.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Wind {
+    /// Speed of the air, m/s.
+    #[garde(range(min = 0.0, max = 60.0))]
+    pub speed_m_per_s: f64,
+    /// Angle that it comes from, to the right of the heading at the beginning of the track; 0 is a
+    /// head wind there.
+    #[serde(default)]
+    #[garde(range(min = -360.0, max = 360.0))]
+    pub direction_deg: f64,
 }
 
 /// A number of equal vehicles one behind the other.
@@ -157,76 +191,6 @@ impl Default for Synchronisation {
     }
 }
 
-/// Rail heat.
-#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
-#[serde(deny_unknown_fields)]
-pub struct Heat {
-    /// Heat model of the rail-heat FMU: `paper`, or `energy`, which conserves heat.
-    #[serde(default = "default_heat_model")]
-    #[garde(length(min = 1))]
-    pub model: String,
-    /// Which rail is heated.
-    #[serde(default)]
-    #[garde(skip)]
-    pub rail: Rail,
-    /// Step of the exchange with the rail, s: a multiple of the scenario's `step_s`; what the
-    /// wheels do in between is averaged.
-    #[garde(range(min = 1e-6, max = 10.0))]
-    pub step_s: Option<f64>,
-    /// Chainage at which the modelled rail begins, m; left out: behind the tail of the train.
-    #[garde(skip)]
-    pub begin_m: Option<f64>,
-    /// Length of the modelled rail, m; left out: as far as the leading vehicle may come.
-    #[garde(range(min = 1.0, max = 1e6))]
-    pub length_m: Option<f64>,
-    /// Time between two records of the temperature field, s.
-    #[serde(default = "default_field_interval")]
-    #[garde(range(min = 0.01, max = 1e6))]
-    pub field_interval_s: f64,
-    /// Depths below the crown at which the highest rise is given, mm.
-    #[serde(default = "default_depths")]
-    #[garde(inner(range(min = 0.0, max = 200.0)))]
-    pub depths_mm: Vec<f64>,
-    /// Places whose temperature is recorded.
-    #[serde(default)]
-    #[garde(dive)]
-    pub probe: Vec<Probe>,
-    /// Further Real parameters of the rail-heat FMU by name.
-    #[serde(default)]
-    #[garde(skip)]
-    pub parameters: BTreeMap<String, f64>,
-}
-
-/// One of the two rails, seen in the running direction.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Rail {
-    /// The left rail (the paper's).
-    #[default]
-    Left,
-    /// The right rail.
-    Right,
-}
-
-impl Rail {
-    /// The word in signal names.
-    pub fn side(self) -> &'static str {
-        match self {
-            Self::Left => "left",
-            Self::Right => "right",
-        }
-    }
-}
-
-/// A place on the rail.
-#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
-#[serde(deny_unknown_fields)]
-pub struct Probe {
-    /// Chainage, m.
-    #[garde(range(min = -1e7, max = 1e7))]
-    pub chainage_m: f64,
-}
-
 /// FMUs that replace Hotfoot's own.
 #[derive(Debug, Clone, Default, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields, default)]
@@ -237,12 +201,19 @@ pub struct Fmus {
     /// For all vehicles.
     #[garde(skip)]
     pub vehicle: Option<PathBuf>,
+    /// The names of the FMU for all vehicles for our signals, where they differ.
+    #[garde(skip)]
+    pub vehicle_names: BTreeMap<String, String>,
     /// For the rail.
     #[garde(skip)]
     pub railheat: Option<PathBuf>,
     /// For single vehicles.
     #[garde(dive)]
     pub vehicle_at: Vec<VehicleReplacement>,
+    /// Whether a step that an FMU discards is tried again in up to 16 parts, from the state before
+    /// it; costs a saved state of every FMU in each step.
+    #[garde(skip)]
+    pub retry_discarded_steps: bool,
 }
 
 /// An FMU for one vehicle.
@@ -259,6 +230,10 @@ pub struct VehicleReplacement {
     #[serde(default)]
     #[garde(skip)]
     pub names: BTreeMap<String, String>,
+    /// Its parameters, and inputs that keep a value throughout, by their names in the FMU.
+    #[serde(default)]
+    #[garde(skip)]
+    pub parameters: BTreeMap<String, Value>,
 }
 
 /// What is recorded.
@@ -294,18 +269,6 @@ fn default_stock() -> PathBuf {
 
 fn one() -> usize {
     1
-}
-
-fn default_heat_model() -> String {
-    "paper".to_owned()
-}
-
-fn default_field_interval() -> f64 {
-    10.0
-}
-
-fn default_depths() -> Vec<f64> {
-    vec![20.0, 60.0]
 }
 
 impl Scenario {

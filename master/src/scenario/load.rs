@@ -8,6 +8,7 @@ use miette::{Diagnostic, NamedSource, SourceSpan};
 use toml::de::{DeTable, DeValue};
 
 use super::file::Scenario;
+use super::value::Value;
 
 /// Why a scenario cannot be run.
 #[derive(Debug, thiserror::Error, Diagnostic)]
@@ -50,13 +51,18 @@ pub enum ScenarioError {
     },
 }
 
+/// The file of the scenario at `path`, which may be its folder.
+pub fn file_of(path: &Path) -> PathBuf {
+    if path.is_dir() { path.join("scenario.toml") } else { path.to_owned() }
+}
+
 /// Reads the scenario at `path` (the file, or the folder with `scenario.toml`), checks it, and
 /// makes the paths in it absolute. Gives the scenario, its file and its text.
 ///
 /// # Errors
 /// When the file cannot be read or something in it is wrong.
 pub fn load(path: &Path) -> Result<(Scenario, PathBuf, String), ScenarioError> {
-    let file = if path.is_dir() { path.join("scenario.toml") } else { path.to_owned() };
+    let file = file_of(path);
     let name = file.display().to_string();
     let text = std::fs::read_to_string(&file)
         .map_err(|source| ScenarioError::Read { file: name.clone(), source })?;
@@ -117,6 +123,16 @@ fn check_across_keys(scenario: &Scenario) -> Result<(), (&'static str, String)> 
     {
         let message = format!("{step} s is not a multiple of step_s = {} s", scenario.step_s);
         return Err(("heat.step_s", message));
+    }
+    if let Some(heat) = &scenario.heat
+        && heat.trains.count > 1
+        && heat.trains.headway_minutes * 60.0 < scenario.duration_s
+    {
+        let message = format!(
+            "{} min are less than duration_s = {} s; a train follows when the one before it has run",
+            heat.trains.headway_minutes, scenario.duration_s
+        );
+        return Err(("heat.trains.headway_minutes", message));
     }
     if !is_multiple(scenario.record.interval_s, scenario.step_s) {
         let message = format!(
@@ -186,6 +202,15 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, file: &str) -> Result<(
     }
     for (i, replacement) in fmus.vehicle_at.iter_mut().enumerate() {
         resolve(&mut replacement.file, &format!("fmus.vehicle_at[{i}].file"), "FMU")?;
+    }
+    let of_rails = scenario.heat.iter_mut().flat_map(|heat| heat.parameters.values_mut());
+    let of_vehicles = fmus.vehicle_at.iter_mut().flat_map(|other| other.parameters.values_mut());
+    for value in of_rails.chain(of_vehicles) {
+        if let Value::Text(text) = value
+            && folder.join(&*text).is_file()
+        {
+            *value = Value::File(folder.join(&*text));
+        }
     }
     Ok(())
 }

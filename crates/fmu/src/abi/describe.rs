@@ -11,6 +11,7 @@ use crate::description::model_description;
 use crate::error::Error;
 use crate::model::Model;
 use crate::signal_table::documentation;
+use crate::terminals::terminals;
 
 /// The text is what was asked for.
 const DONE: c_int = 0;
@@ -27,6 +28,12 @@ pub unsafe fn describe<M: Model>(resources: *const c_char, answer: *mut *mut c_c
 pub unsafe fn document<M: Model>(resources: *const c_char, answer: *mut *mut c_char) -> c_int {
     // SAFETY: the pointers are those of the caller.
     unsafe { give(resources, answer, documentation::<M>) }
+}
+
+/// `hotfoot_terminals`: the text of `terminalsAndIcons/terminalsAndIcons.xml`, which may be empty.
+pub unsafe fn connect<M: Model>(resources: *const c_char, answer: *mut *mut c_char) -> c_int {
+    // SAFETY: the pointers are those of the caller.
+    unsafe { give(resources, answer, terminals::<M>) }
 }
 
 /// `hotfoot_free_text`; null is ignored.

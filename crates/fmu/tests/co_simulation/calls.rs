@@ -9,7 +9,7 @@ use crate::fmi2::*;
 use crate::tool::Fmu;
 
 /// An instance in the state with this letter: those of the table below.
-fn in_state(letter: char) -> Fmu {
+pub fn in_state(letter: char) -> Fmu {
     match letter {
         'I' => Fmu::new(),
         'M' => Fmu::initializing(),

@@ -33,6 +33,16 @@ fn golden_model_description_of_the_spring() {
     assert_eq!(text, expected);
 }
 
+/// The spring's points along it are declared as terminals; that a model without any has no file is
+/// tested where the file is written.
+#[test]
+fn terminals_come_with_the_variables_that_belong_to_them() {
+    let (code, text) = ask(hotfoot_terminals, Path::new(""));
+    assert_eq!(code, 0, "{text}");
+    let member = "variableName=\"point[1].position\" memberName=\"position\"";
+    assert!(text.contains("<Terminal name=\"point[1]\"") && text.contains(member), "{text}");
+}
+
 #[test]
 fn the_description_follows_the_resources() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -51,7 +61,7 @@ fn the_description_follows_the_resources() {
 fn a_wrong_resource_is_answered_with_its_name() {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("points.txt"), "many").expect("a file");
-    for function in [hotfoot_model_description, hotfoot_documentation] {
+    for function in [hotfoot_model_description, hotfoot_documentation, hotfoot_terminals] {
         let (code, text) = ask(function, folder.path());
         assert_eq!(code, 1);
         assert!(text.contains("points.txt: `many` is no number"), "{text}");

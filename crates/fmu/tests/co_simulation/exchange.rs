@@ -79,6 +79,71 @@ fn nothing_needs_no_arrays_and_something_does() {
 }
 
 #[test]
+fn nothing_can_be_got_and_set_of_every_type() {
+    let fmu = Fmu::running();
+    let (c, none) = (fmu.component, ptr::null());
+    // SAFETY: null is allowed.
+    let statuses = unsafe {
+        [
+            fmi2GetReal(c, none, 0, ptr::null_mut()),
+            fmi2GetInteger(c, none, 0, ptr::null_mut()),
+            fmi2GetBoolean(c, none, 0, ptr::null_mut()),
+            fmi2GetString(c, none, 0, ptr::null_mut()),
+            fmi2SetReal(c, none, 0, ptr::null()),
+            fmi2SetInteger(c, none, 0, ptr::null()),
+            fmi2SetBoolean(c, none, 0, ptr::null()),
+            fmi2SetString(c, none, 0, ptr::null()),
+        ]
+    };
+    assert_eq!(statuses, [Status::Ok; 8]);
+}
+
+#[test]
+fn an_unknown_value_reference_is_refused_of_every_type() {
+    const UNKNOWN: u32 = 4711;
+    let (mut real, mut integer, mut text) = (0.0, 0, ptr::null());
+    for number in 0..8 {
+        let fmu = Fmu::initializing();
+        let c = fmu.component;
+        // SAFETY: the component lives, and there is one value or room for one.
+        let status = unsafe {
+            match number {
+                0 => fmi2GetReal(c, &UNKNOWN, 1, &mut real),
+                1 => fmi2GetInteger(c, &UNKNOWN, 1, &mut integer),
+                2 => fmi2GetBoolean(c, &UNKNOWN, 1, &mut integer),
+                3 => fmi2GetString(c, &UNKNOWN, 1, &mut text),
+                4 => fmi2SetReal(c, &UNKNOWN, 1, &1.0),
+                5 => fmi2SetInteger(c, &UNKNOWN, 1, &1),
+                6 => fmi2SetBoolean(c, &UNKNOWN, 1, &1),
+                _ => fmi2SetString(c, &UNKNOWN, 1, &c"".as_ptr()),
+            }
+        };
+        assert_eq!(status, Status::Error, "{number}");
+        let messages = fmu.messages();
+        let last = &messages.last().expect("a reason").text;
+        assert!(last.contains("variable with value reference 4711"), "{last}");
+    }
+}
+
+/// C knows more than one way to say true; the standard wants 0 or 1 back.
+#[test]
+fn a_boolean_is_zero_or_one() {
+    let fmu = Fmu::initializing();
+    let damped = fmu.reference("damped");
+    for (given, expected) in [(0, 0), (1, 1), (2, 1), (-1, 1)] {
+        let mut value: c_int = 7;
+        // SAFETY: the component lives, and there is one value, and room for one.
+        let statuses = unsafe {
+            [
+                fmi2SetBoolean(fmu.component, &damped, 1, &given),
+                fmi2GetBoolean(fmu.component, &damped, 1, &mut value),
+            ]
+        };
+        assert_eq!((statuses, value), ([Status::Ok; 2], expected), "{given}");
+    }
+}
+
+#[test]
 fn values_out_of_bounds_or_not_finite_are_refused() {
     for (name, value, sentence) in [
         ("mass", 0.0, "`mass` cannot be 0: it must be a finite number, at least 0.1"),

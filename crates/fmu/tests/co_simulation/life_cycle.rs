@@ -1,10 +1,12 @@
 //! Making, initialising, resetting and ending instances.
 
-use std::ffi::CStr;
+use std::ffi::{CStr, CString};
 use std::ptr;
 
 use fmu::Status;
+use fmu::abi::CallbackFunctions;
 
+use crate::calls::in_state;
 use crate::fmi2::*;
 use crate::tool::{Fmu, Order};
 
@@ -32,6 +34,10 @@ fn a_wrong_guid_is_refused_with_the_remedy() {
     let message = refusal(Order { guid, ..Order::default() });
     let remedy = "this modelDescription.xml is stale or belongs to another FMU";
     assert!(message.contains(remedy), "{message}");
+    for blank in ["", "  "] {
+        let message = refusal(Order { guid: Some(blank.to_owned()), ..Order::default() });
+        assert!(message.contains(remedy), "{message}");
+    }
     let message = refusal(Order { guid: None, ..Order::default() });
     assert!(message.contains("fmuGUID"), "{message}");
 }
@@ -65,6 +71,43 @@ fn without_callbacks_there_is_no_instance() {
         fmi2Instantiate(name, 1, guid, ptr::null(), ptr::null(), 0, 0)
     };
     assert!(component.is_null());
+}
+
+/// A tool may give callbacks without a logger: then nobody is told, and all else is as ever.
+#[test]
+fn without_a_logger_the_fmu_works_and_is_silent() {
+    let callbacks = CallbackFunctions {
+        logger: None,
+        allocate_memory: None,
+        free_memory: None,
+        step_finished: None,
+        component_environment: ptr::null_mut(),
+    };
+    let guid = CString::new(Order::default().guid.expect("it has one")).expect("no NUL");
+    // SAFETY: the texts and the callbacks are valid; the component is freed once.
+    unsafe {
+        let name = c"a spring".as_ptr();
+        let c = fmi2Instantiate(name, 1, guid.as_ptr(), ptr::null(), &callbacks, 0, 1);
+        assert!(!c.is_null());
+        assert_eq!(fmi2DoStep(c, 0.0, 1.0, 1), Status::Error);
+        assert_eq!(fmi2Reset(c), Status::Ok);
+        assert_eq!(fmi2SetupExperiment(c, 1, 1e-6, 0.0, 0, 0.0), Status::Ok);
+        assert_eq!(fmi2EnterInitializationMode(c), Status::Ok);
+        assert_eq!(fmi2ExitInitializationMode(c), Status::Ok);
+        assert_eq!(fmi2DoStep(c, 0.0, 0.1, 1), Status::Ok);
+        fmi2FreeInstance(c);
+        let wrong = fmi2Instantiate(name, 1, c"{}".as_ptr(), ptr::null(), &callbacks, 0, 1);
+        assert!(wrong.is_null());
+    }
+}
+
+/// The model has defaults for all that its resources say, so that it needs none.
+#[test]
+fn the_resource_location_may_be_null_or_empty() {
+    for location in [None, Some(String::new())] {
+        let fmu = Fmu::order(Order { location, ..Order::default() });
+        assert!(fmu.is_ok());
+    }
 }
 
 #[test]
@@ -171,6 +214,26 @@ fn a_reset_instance_is_as_new() {
     let new = Fmu::running();
     assert_eq!(new.do_step(0.0, 0.1), Status::Ok);
     assert_eq!(position.to_bits(), new.get("position").to_bits());
+}
+
+/// From every state but those in which the standard forbids all calls, which this FMU never is in.
+#[test]
+fn a_reset_leads_out_of_every_state() {
+    for letter in "IMCFTE".chars() {
+        let fmu = in_state(letter);
+        assert_eq!(fmu.reset(), Status::Ok, "{letter}");
+        fmu.begin();
+        assert_eq!(fmu.exit_initialization_mode(), Status::Ok, "{letter}");
+        assert_eq!((fmu.get("position"), fmu.do_step(0.0, 0.1)), (0.1, Status::Ok), "{letter}");
+    }
+}
+
+/// FMI 2.0.5 §2.1.5: an instance may be freed without `fmi2Terminate`, whatever its state.
+#[test]
+fn an_instance_may_be_freed_in_every_state() {
+    for letter in "IMCFTE".chars() {
+        drop(in_state(letter));
+    }
 }
 
 #[test]

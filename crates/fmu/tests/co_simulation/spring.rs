@@ -82,6 +82,7 @@ impl Model for Spring {
             velocity: d.real("velocity", unit::METRE_PER_SECOND, "Its rate").output(),
             points: (1..=points)
                 .map(|point| {
+                    d.terminal(format!("point[{point}]"), "point", "A point of the spring");
                     let name = format!("point[{point}].position");
                     d.real(name, unit::METRE, "Elongation at a point").output()
                 })

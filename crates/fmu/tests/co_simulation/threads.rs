@@ -61,6 +61,38 @@ fn instances_on_many_threads_do_not_touch_each_other() {
     assert_eq!(together, alone);
 }
 
+/// FMPy issues 110 and 140: FMUs of other makers crash at about 1,020 instances.
+#[test]
+fn issue_more_than_a_thousand_instances_live_side_by_side() {
+    let expected = run_fmu(&Fmu::running(), 0);
+    let fmus: Vec<_> = (0..1100).map(|_| Fmu::running()).collect();
+    for fmu in [&fmus[0], &fmus[1023], &fmus[1099]] {
+        assert_eq!(run_fmu(fmu, 0), expected);
+    }
+}
+
+/// Made on one thread, initialised and stepped on a second, stepped on by a third, freed on a
+/// fourth; OMSimulator issue 858 is about FMUs that cannot do this.
+#[test]
+fn issue_an_instance_is_made_stepped_and_freed_on_different_threads() {
+    let expected = run_fmu(&Fmu::running(), 2);
+    let on_a_thread = |work: Box<dyn FnOnce() -> (Fmu, Vec<u64>) + Send>| {
+        thread::spawn(work).join().expect("it ran through")
+    };
+    let (fmu, _) = on_a_thread(Box::new(|| (Fmu::new(), vec![])));
+    let (fmu, _) = on_a_thread(Box::new(move || {
+        fmu.begin();
+        assert_eq!(fmu.exit_initialization_mode(), Status::Ok);
+        (fmu, vec![])
+    }));
+    let (fmu, bits) = on_a_thread(Box::new(move || {
+        let bits = run_fmu(&fmu, 2);
+        (fmu, bits)
+    }));
+    assert_eq!(bits, expected);
+    thread::spawn(move || drop(fmu)).join().expect("it was freed");
+}
+
 #[test]
 fn an_instance_and_its_states_may_move_to_another_thread() {
     let mut instance = native();

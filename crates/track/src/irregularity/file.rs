@@ -105,7 +105,15 @@ impl Section {
     pub fn compile(self, name: &str, folder: &Path) -> Result<Irregularity, TrackError> {
         let grid = match (&self.file, &self.spectrum) {
             (None, None) => None,
-            (Some(file), None) => Some(measured(&folder.join(file))?),
+            (Some(file), None) if file.components().count() == 1 => {
+                Some(measured(&folder.join(file))?)
+            }
+            (Some(file), None) => {
+                return Err(TrackError::Elsewhere {
+                    file: name.to_owned(),
+                    value: file.display().to_string(),
+                });
+            }
             (None, Some(spectrum)) => Some(spectrum.checked(name)?.grid()),
             (Some(_), Some(spectrum)) => {
                 let wanted = "leave either irregularity.file or irregularity.spectrum out";
@@ -158,7 +166,7 @@ impl ShapeSection {
         if !(0.01..=1e5).contains(&self.length_m) {
             return Err(error(file, &key("length_m"), self.length_m, "must be at least 0.01 m"));
         }
-        if !(self.amplitude_mm.abs() <= GREATEST) {
+        if !(-GREATEST..=GREATEST).contains(&self.amplitude_mm) {
             let wanted = "must lie between -200 and 200 mm";
             return Err(error(file, &key("amplitude_mm"), self.amplitude_mm, wanted));
         }

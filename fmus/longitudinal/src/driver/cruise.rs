@@ -91,18 +91,23 @@ impl Gains {
     }
 }
 
+/// The speed of a profile at a chainage, m/s, and its slope there, 1/s.
+pub(super) fn speed_and_slope(profile: &LinearTable, chainage: f64) -> (f64, f64) {
+    let at = |chainage: f64| profile.value(chainage, &mut 0);
+    let speed = at(chainage);
+    (speed, (at(chainage + SLOPE_OVER) - speed) / SLOPE_OVER)
+}
+
 impl Cruise {
     pub(super) fn command(&self, state: &mut DriverState, view: &View) -> Command {
-        let at = |chainage: f64| self.speed.value(chainage, &mut 0);
-        state.target_speed = at(view.chainage);
+        state.target_speed = self.speed.value(view.chainage, &mut 0);
         let Some((train, now)) = view.train else { return state.levers.command };
         if !self.levers.looks(&mut state.levers, view.time) {
             return state.levers.command;
         }
         let speed = view.velocity;
         let ahead = speed * self.gains.preview_s;
-        let slope =
-            (at(view.chainage + ahead + SLOPE_OVER) - at(view.chainage + ahead)) / SLOPE_OVER;
+        let (_, slope) = speed_and_slope(&self.speed, view.chainage + ahead);
         let error = state.target_speed - speed;
         let leader = train.vehicles()[0].acceleration(&now.vehicles[0]);
         let integral = state.levers.integral + error * self.levers.interval();

@@ -1,25 +1,36 @@
 //! A driver who keeps a speed profile by fuzzy rules.
 //!
-//! A Takagi-Sugeno controller of order zero. The speed error is *much too fast*, *too fast*, *right*,
-//! *too slow* or *much too slow*, the acceleration *falling*, *steady* or *rising*, each to a degree
-//! by triangles that add up to one. Each pair has a change of the lever per second; what is done is
-//! their mean weighted by the product of the degrees. The lever goes from full service (−2) over full
-//! dynamic brake (−1) and coasting (0) to the highest notch (1).
+//! Like a driver who knows the line, this one judges by where the train will be after the time of
+//! preview t_p if the levers stay: its acceleration a changes by what the line takes less or more
+//! there (theory, eq. 20), with the demand D of the line, the mass M and the profile v*:
+//!
+//! ```text
+//! Δa = (D(x) − D(x + v t_p))/M
+//! e  = v*(x + v t_p) − (v + t_p (a + Δa/2))        g = a + Δa − v dv*/dx
+//! ```
+//!
+//! A Takagi-Sugeno controller of order zero acts on that. By e the train is *much too fast*, *too
+//! fast*, *right*, *too slow* or *much too slow*, by g its speed is *falling*, *steady* or *rising*
+//! against the profile, each to a degree by triangles that add up to one. Each pair has a change of
+//! the lever per second; what is done is their mean weighted by the product of the degrees. The lever
+//! goes from full service (−2) over full dynamic brake (−1) and coasting (0) to the highest notch (1).
 //!
 //! ```toml
 //! [speed]                      # as for [cruise]
 //! chainage_m = [0.0, 5000.0]
 //! kmh = [60.0, 60.0]
 //! [fuzzy]                      # these are the defaults
+//! preview_s = 15.0             # 0 does not look ahead
 //! error_kmh = 5.0              # much too fast or slow
 //! acceleration_m_per_s2 = 0.05 # falling or rising
-//! rate_per_s = 0.05            # greatest change of the lever
+//! rate_per_s = 0.1             # greatest change of the lever
 //! ```
 
 use numerics::LinearTable;
 use serde::Deserialize;
 use stock::{Check, StockError};
 
+use super::cruise::speed_and_slope;
 use super::levers::{Levers, Wanted};
 use super::{Command, DriverState, View};
 
@@ -43,6 +54,7 @@ pub(super) struct Fuzzy {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(super) struct FuzzyFile {
+    preview_s: f64,
     error_kmh: f64,
     acceleration_m_per_s2: f64,
     rate_per_s: f64,
@@ -50,12 +62,13 @@ pub(super) struct FuzzyFile {
 
 impl Default for FuzzyFile {
     fn default() -> Self {
-        Self { error_kmh: 5.0, acceleration_m_per_s2: 0.05, rate_per_s: 0.05 }
+        Self { preview_s: 15.0, error_kmh: 5.0, acceleration_m_per_s2: 0.05, rate_per_s: 0.1 }
     }
 }
 
 impl FuzzyFile {
     pub(super) fn check(&self, check: &Check) -> Result<(), StockError> {
+        check.between("preview_s", self.preview_s, 0.0, 600.0)?;
         check.between("error_kmh", self.error_kmh, 0.1, 100.0)?;
         check.between("acceleration_m_per_s2", self.acceleration_m_per_s2, 0.001, 10.0)?;
         check.between("rate_per_s", self.rate_per_s, 0.001, 10.0)
@@ -70,7 +83,7 @@ fn degrees<const N: usize>(value: f64) -> [f64; N] {
 
 /// Change of the lever, of its greatest rate, for a speed error and an acceleration, both in terms of
 /// the greatest that the rules know.
-fn change(error: f64, acceleration: f64) -> f64 {
+fn lever_change(error: f64, acceleration: f64) -> f64 {
     let (errors, accelerations) = (degrees::<5>(error), degrees::<3>(acceleration));
     let mut change = 0.0;
     for (row, e) in RULES.iter().zip(errors) {
@@ -88,9 +101,19 @@ impl Fuzzy {
         if !self.levers.looks(&mut state.levers, view.time) {
             return state.levers.command;
         }
-        let error = (state.target_speed - view.velocity) * KMH / self.rules.error_kmh;
-        let leader = train.vehicles()[0].acceleration(&now.vehicles[0]);
-        let rate = self.rules.rate_per_s * change(error, leader / self.rules.acceleration_m_per_s2);
+        let (preview, speed) = (self.rules.preview_s, view.velocity);
+        let ahead = speed * preview;
+        let (target, slope) = speed_and_slope(&self.speed, view.chainage + ahead);
+        let line = train.demand(now, 0.0, speed) - train.demand(now, ahead, speed);
+        let (own, change) =
+            (train.vehicles()[0].acceleration(&now.vehicles[0]), line / train.inertia());
+        let error = target - (speed + preview * (own + change / 2.0));
+        let growth = own + change - speed * slope;
+        let rate = self.rules.rate_per_s
+            * lever_change(
+                error * KMH / self.rules.error_kmh,
+                growth / self.rules.acceleration_m_per_s2,
+            );
         let lever = (state.levers.lever + rate * self.levers.interval()).clamp(-2.0, 1.0);
         state.levers.lever = lever;
         let wanted = Wanted {
@@ -116,10 +139,10 @@ mod tests {
 
     #[test]
     fn analytic_rules_at_their_tops_and_halfway() {
-        assert_eq!(change(0.0, 0.0), 0.0);
-        assert_eq!(change(1.0, 0.0), 1.0);
-        assert!((change(0.25, 0.0) - 0.2).abs() < 1e-15);
+        assert_eq!(lever_change(0.0, 0.0), 0.0);
+        assert_eq!(lever_change(1.0, 0.0), 1.0);
+        assert!((lever_change(0.25, 0.0) - 0.2).abs() < 1e-15);
         // A train that is too slow but gains speed enough is left alone.
-        assert_eq!(change(0.5, 1.0), 0.0);
+        assert_eq!(lever_change(0.5, 1.0), 0.0);
     }
 }

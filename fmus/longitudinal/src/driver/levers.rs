@@ -94,7 +94,7 @@ impl Levers {
         let Some((train, _)) = view.train else { return (Wanted::default(), true) };
         let speed = view.velocity.abs();
         let sum = |of: &dyn Fn(&crate::vehicle::Vehicle) -> f64| -> f64 {
-            train.vehicles().iter().map(of).sum()
+            train.vehicles().iter().map(|vehicle| of(vehicle)).sum()
         };
         if force >= 0.0 {
             let effort = |lever: f64| sum(&|vehicle| vehicle.tractive_effort(lever, speed));

@@ -17,8 +17,8 @@ const AIR: &str = "[brake]\ncontrol = 'air'\n[brake.air]\n\
 fn air_train(locomotives: &[usize], count: usize, more: &str) -> TrainDynamics {
     let vehicles: Vec<Vehicle> = (0..count)
         .map(|i| match locomotives.contains(&i) {
-            true => vehicle_of(&format!("{more}{AIR}")),
-            false => vehicle_of(&format!("without = ['traction', 'dynamic_brake']\n{more}{AIR}")),
+            true => vehicle_of(&format!("{AIR}{more}")),
+            false => vehicle_of(&format!("without = ['traction', 'dynamic_brake']\n{AIR}{more}")),
         })
         .collect();
     train(&vehicles, &friction_gear(), Track::straight())
@@ -146,6 +146,89 @@ fn analytic_hand_brakes_hold_a_train_that_nothing_else_holds() {
     }
     let error = build("vehicle = [{ type = 'wagon-coco-134t-unpowered', hand_brake = 1 }]");
     assert!(matches!(error, Err(BuildError::NoHandBrake { number: 1, .. })));
+}
+
+const RESERVOIR: &str = "[brake.air.reservoir]\nrecharge_s = 50\nrecharge_s_per_km = 100\n";
+
+/// Cylinder fractions of the first and the last of 51 vehicles, a kilometre behind it, after each of
+/// the commands: train brake, and for how long, s.
+fn cylinders(keys: &str, reservoir: &str, commands: &[(f64, f64)]) -> Vec<[f64; 2]> {
+    let mut train = air_train(&[0], 51, &format!("{keys}{RESERVOIR}{reservoir}"));
+    let mut state = start(&mut train, 15.0, Couplers::InBalance, Command::default());
+    let after = |&(command, time): &(f64, f64)| {
+        train.advance(&mut state, &train_brake(command), time);
+        [0, 50].map(|i| state.vehicles[i].brake.cylinder)
+    };
+    commands.iter().map(after).collect()
+}
+
+fn air_row(case: &str, value: f64, expected: f64) {
+    Row {
+        case,
+        value,
+        expected,
+        unit: "of full service",
+        source: "balance of the air by hand",
+        tolerance: (5e-4, "a command is heard a step of 1 ms late; rates of up to 0.1/s"),
+    }
+    .holds();
+}
+
+/// The second application finds what the reservoirs have got back in 30 s: those at the head, with
+/// 50 s, all but exp(−30/50); those a kilometre behind, with 150 s, hear the release 5 s late and the
+/// application 4 s late.
+#[test]
+fn analytic_reservoir_gives_what_it_has_got_back() {
+    let twice = |second: f64| cylinders("", "", &[(0.6, 20.0), (0.0, 30.0), (second, 20.0)]);
+    let [first, released, second] = twice(0.6)[..] else { unreachable!("three commands") };
+    assert!(first.iter().all(|cylinder| (cylinder - 0.6).abs() < 1e-12));
+    assert_eq!(released, [0.0, 0.0]);
+    let lack = |time: f64, constant: f64| 0.6 * (-time / constant).exp();
+    air_row("second application of 0.6, vehicle 1", second[0], 0.6 - lack(30.0, 50.0));
+    air_row("second application of 0.6, vehicle 51", second[1], 0.6 - lack(29.0, 150.0));
+    // 0.4 is less than the 0.49 that the last reservoir lacks.
+    let second = twice(0.4)[2];
+    air_row("second application of 0.4, vehicle 1", second[0], 0.4 - lack(30.0, 50.0));
+    assert_eq!(second[1], 0.0);
+}
+
+#[test]
+fn analytic_reservoir_with_leakage_of_the_pipe_brakes_more_and_more() {
+    let leaking = cylinders("", "pipe_leakage_per_min = 0.3\n", &[(0.5, 60.0), (0.5, 60.0)]);
+    air_row("0.5 after 60 s, pipe losing 0.3 a minute", leaking[0][0], 0.8);
+    air_row("the same after 120 s: full service", leaking[1][0], 1.0);
+}
+
+/// Filled at 0.1/s for 5 s against a leakage of 1/300 s, and then left to leak.
+#[test]
+fn analytic_reservoir_does_not_make_up_for_a_leaking_cylinder() {
+    let leaking = cylinders("", "cylinder_leakage_per_min = 0.2\n", &[(0.5, 60.0)]);
+    let filled = 0.1 * 300.0 * (1.0 - (-5.0_f64 / 300.0).exp());
+    let expected = filled * (-55.0_f64 / 300.0).exp();
+    air_row("0.5 after 60 s, cylinder losing 0.2 a minute", leaking[0][0], expected);
+}
+
+#[test]
+fn analytic_reservoir_at_the_end_of_a_leaking_pipe_has_less() {
+    let ends = cylinders("", "gradient_per_km = 0.1\n", &[(0.5, 20.0), (1.0, 20.0), (1.2, 20.0)]);
+    let expected = [[0.5, 0.5], [1.0, 0.9], [1.2, 1.08]];
+    for (ends, expected) in ends.iter().zip(expected) {
+        for (cylinder, expected) in ends.iter().zip(expected) {
+            assert!((cylinder - expected).abs() < 1e-12, "{ends:?}");
+        }
+    }
+}
+
+/// A graduated release follows the pipe down and up again, with whatever air there is.
+#[test]
+fn analytic_reservoir_of_a_graduated_release() {
+    let commands = [(0.6, 20.0), (0.3, 10.0), (0.5, 10.0)];
+    let ends = cylinders("graduated_release = true\n", "", &commands);
+    assert!((ends[1][0] - 0.3).abs() < 1e-12);
+    // The lack has gone from 0.6 towards 0.3 for 10 s.
+    let lack = 0.3 + 0.3 * (-10.0_f64 / 50.0).exp();
+    let expected = 0.3 + (0.5 - lack).max(0.0);
+    air_row("0.5 after a release from 0.6 to 0.3, vehicle 1", ends[2][0], expected);
 }
 
 /// The friction power of all wheels is the work against the brakes, times the wheels' share.

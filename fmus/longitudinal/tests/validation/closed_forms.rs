@@ -1,9 +1,11 @@
 //! Closed forms of whole trains, and published figures by hand.
 
+use std::sync::Arc;
+
 use crate::support::*;
-use longitudinal::connection::{Connection, ConnectionState};
+use longitudinal::connection::{Connection, ConnectionState, GearPair};
 use longitudinal::driver::Command;
-use longitudinal::{Couplers, TrainDynamics, TrainState, draft_gear};
+use longitudinal::{Couplers, LONGEST_STEP, TrainDynamics, TrainState, draft_gear};
 use stock::Vehicle;
 use track::Track;
 
@@ -127,7 +129,7 @@ fn inverse(function: impl Fn(f64) -> f64, value: f64, greatest: f64) -> f64 {
 
 fn connection(slack: f64) -> Connection {
     let gear = draft_gear::DraftGear::new(&friction_gear()).unwrap();
-    Connection::new(&gear, &gear, slack, 20.0)
+    Connection::new(Arc::new(GearPair::new(&gear, &gear)), slack, 20.0)
 }
 
 /// Moves a connection evenly to a deflection and gives the work done on it.
@@ -202,14 +204,24 @@ fn analytic_energy_balance_of_a_rough_run() {
     let mut state = start(&mut train, 10.0, Couplers::Unstressed, Command::default());
     let brake = Command { dynamic_brake: 1.0, ..train_brake(0.4) };
     for (command, time) in [(notch(8.0), 60.0), (Command::default(), 10.0), (brake, 40.0)] {
-        train.advance(&mut state, &command, time);
-        let work = state.work.traction;
-        let residual = train.energy_residual(&state, &train.energy(&state));
+        let mut greatest = 0.0_f64;
+        for _ in 0..(time / LONGEST_STEP).round() as usize {
+            train.advance(&mut state, &command, LONGEST_STEP);
+            let residual = train.energy_residual(&state, &train.energy(&state));
+            let work = &state.work;
+            let done = work.traction
+                + work.dynamic_brake
+                + work.brake
+                + work.resistance
+                + work.curve_resistance
+                + state.gear_work;
+            greatest = greatest.max((residual / done).abs());
+        }
         Row {
-            case: &format!("energy residual after {time} s more"),
-            value: residual / work,
+            case: &format!("greatest energy residual of any step in {time} s more"),
+            value: greatest,
             expected: 0.0,
-            unit: "of the work of traction",
+            unit: "of the work done",
             source: "conservation of energy",
             tolerance: (1e-4, "what the issue asks for; integration errors only"),
         }

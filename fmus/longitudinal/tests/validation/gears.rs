@@ -1,6 +1,8 @@
 //! Kinds of draft gears.
 
-use longitudinal::connection::{Connection, ConnectionState};
+use std::sync::Arc;
+
+use longitudinal::connection::{Connection, ConnectionState, GearPair};
 use longitudinal::draft_gear::DraftGear;
 use longitudinal::driver::Command;
 use longitudinal::{Couplers, TrainDynamics};
@@ -31,7 +33,7 @@ const BUFFERS: &str = "name = 'screw coupling'\nsource = 'test'\nloss_percent = 
 
 fn connection(front: &str, rear: &str) -> Connection {
     let gear = |text: &str| DraftGear::new(&gear_of(text)).unwrap();
-    Connection::new(&gear(front), &gear(rear), 0.0, 20.0)
+    Connection::new(Arc::new(GearPair::new(&gear(front), &gear(rear))), 0.0, 20.0)
 }
 
 /// Moves a connection to a deflection, m, at a speed, m/s; gives the greatest force on the way, N.

@@ -8,6 +8,14 @@ use track::Track;
 /// Folder of the shipped rolling stock.
 const STOCK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../stock");
 
+/// The page that has the table of all comparisons.
+const PAGE: &str = include_str!("../../../../docs/validation/longitudinal.md");
+
+/// Fails unless the page has a row that begins like this.
+fn is_on_the_page(row: &str) {
+    assert!(PAGE.contains(row), "docs/validation/longitudinal.md has no row that begins: {row}");
+}
+
 /// The shipped rolling stock.
 pub fn library() -> Library {
     Library::open(STOCK).expect("the repository has a stock folder")
@@ -33,13 +41,14 @@ impl Row<'_> {
     /// Prints the line and fails unless the value is within the tolerance.
     pub fn holds(&self) {
         let Self { case, value, expected, unit, source, tolerance } = self;
+        let begin = format!("| {case} | {} {unit} | {source} | ", short(*expected));
         println!(
-            "| {case} | {} {unit} | {source} | {} {unit} | {} {unit}: {} |",
-            short(*expected),
+            "{begin}{} {unit} | {} {unit}: {} |",
             short(*value),
             short(tolerance.0),
             tolerance.1
         );
+        is_on_the_page(&begin);
         let difference = (value - expected).abs();
         assert!(difference <= tolerance.0, "{case}: {value} {unit}, expected {expected} {unit}");
     }
@@ -47,7 +56,9 @@ impl Row<'_> {
 
 /// Prints a line of the table whose expectation is a bound.
 pub fn bound(case: &str, bound: &str, value: &str) {
-    println!("| {case} | {bound} | bound | {value} | |");
+    let begin = format!("| {case} | {bound} | bound | ");
+    println!("{begin}{value} | |");
+    is_on_the_page(&begin);
 }
 
 /// A number with six digits.

@@ -19,6 +19,8 @@ pub struct Finding {
 /// The findings of a run so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
+    /// The highest rise along the track now.
+    pub present: Finding,
     /// The highest rise so far.
     pub highest: Finding,
     /// Where and when the detection threshold was first reached.
@@ -32,6 +34,7 @@ pub struct Answer {
 impl Answer {
     /// Takes the highest rise of the foot at a time.
     pub fn note(&mut self, finding: Finding, threshold: f64) {
+        self.present = finding;
         if finding.rise > self.highest.rise {
             self.highest = finding;
         }

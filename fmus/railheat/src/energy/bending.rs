@@ -37,6 +37,16 @@ pub struct Beam {
 }
 
 impl Beam {
+    /// Steel on track of usual stiffness; what of it is the section's is that of AS60.
+    pub const TYPICAL: Self = Self {
+        modulus: 207e9,
+        second_moment: 29.3e-6,
+        to_foot: 0.07923,
+        track_modulus: 35e6,
+        expansion: 11.5e-6,
+        loss_factor: 2e-4,
+    };
+
     /// β, 1/m.
     pub fn decay(&self) -> f64 {
         (self.track_modulus / (4.0 * self.modulus * self.second_moment)).sqrt().sqrt()

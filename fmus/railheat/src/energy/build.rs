@@ -2,9 +2,11 @@
 
 use std::ops::Range;
 
+use super::along::Along;
 use super::answer::Answer;
 use super::crown::Crown;
 use super::elements::{Elements, Extra};
+use super::initial::{Initial, NeverSettles};
 use super::ledger::{Ledger, Sources};
 use super::light::Light;
 use super::model::{Energy, State};
@@ -13,61 +15,84 @@ use super::propagator::Propagator;
 use super::readings::Readings;
 use super::untouched::{self, Untouched};
 use super::weather::{Surface, Weather};
+use super::zones::{self, Sector, Zone};
 use crate::rail::Highest;
 use crate::section::{Cells, Modes, NoModes, dot};
 use crate::wheels::Wheel;
+
+/// The model cannot begin.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum CannotBegin {
+    /// The section has no modes.
+    #[error(transparent)]
+    Modes(#[from] NoModes),
+    /// The rail never comes to a daily course.
+    #[error(transparent)]
+    Day(#[from] NeverSettles),
+}
 
 impl Energy {
     /// A rail at its start, with so many wheels on each vehicle.
     ///
     /// # Errors
-    /// When the section has too few or too many cells.
+    /// When the section has too few or too many cells, or never comes to a daily course.
     pub fn new(
         parameters: Parameters,
         wheelsets: &[usize],
         weather: &Weather,
         start_time: f64,
-    ) -> Result<Self, NoModes> {
-        let Parameters { outline, material, exchange, cell_size, .. } = &parameters;
+    ) -> Result<Self, CannotBegin> {
+        let Parameters { outline, material, exchange, cell_size, line, .. } = &parameters;
         let cells = match parameters.resolution {
             Resolution::Column => Cells::column(outline, *cell_size),
             Resolution::Plane => Cells::grid(outline, *cell_size),
         };
         let surface = Surface::new(&cells);
-        let light = Light::new(outline, &surface, exchange, weather);
-        let temperature = match parameters.start {
+        let mut weather = *weather;
+        if let Some(ephemeris) = &parameters.ephemeris {
+            weather.sun = ephemeris.at(start_time);
+        }
+        let (sectors, zone_of) = zones::sectors(&parameters.azimuth, line.elements);
+        let light = Light::new(outline, &surface, exchange, &weather, sectors[0].azimuth);
+        let base = match parameters.start {
             Start::Uniform(temperature) => temperature,
-            Start::Equilibrium => surface.balance(exchange, weather, &light.absorbed),
+            _ => surface.balance(exchange, &weather, &light.absorbed),
         };
-        let linear = surface.conductances(exchange, weather.wind, temperature);
+        let linear = surface.conductances(exchange, weather.wind, base);
         let modes = Modes::new(&cells, material, &linear, parameters.shortest, *cell_size)?;
         let mean = modes.weighted(surface.shares());
-        let mut untouched = Untouched::uniform(surface, *exchange, linear, &modes, temperature);
-        if parameters.start == Start::Equilibrium {
-            untouched.settle(&modes, weather, &light.absorbed);
-        }
+        let mut untouched = Untouched::new(surface, *exchange, linear, &modes);
         let readings = Readings::new(&cells, &modes, &parameters.depths);
+        let mut of_sector = |sector| {
+            let start =
+                Beginning { parameters: &parameters, modes: &modes, weather: &weather, base };
+            let levels = readings.levels.len();
+            start.zone(sector, &mut untouched, Extra::none(mean.clone()), levels)
+        };
+        let zones = sectors.into_iter().map(&mut of_sector).collect::<Result<Vec<_>, _>>()?;
         let wheels = wheelsets.iter().sum();
-        let initial =
-            State::new(&parameters, &readings, modes.width(), wheels, weather, start_time);
-        Ok(Self {
-            in_modes: exchange.coefficient(weather.wind)
-                + exchange.radiation(untouched.initial_mean()),
+        let counts = Counts { width: modes.width(), wheels, zones: zones.len() };
+        let initial = State::new(&parameters, &readings, &counts, &weather, start_time);
+        let mut model = Self {
+            zones,
+            zone_of,
+            along: parameters.conducts_along.then(|| Along::new(line.elements)),
             crown: Crown::new(&cells, &modes),
             bending: bending_shape(&cells, &modes, &parameters),
             propagator: Propagator::new(&modes, parameters.interval),
-            extra: Extra::none(mean),
-            surface: vec![0.0; parameters.line.elements],
+            surface: vec![0.0; line.elements],
+            foot: Highest { rise: 0.0, chainage: line.chainage(0) },
             places: vec![None; wheels],
             source: vec![0.0; modes.width()],
             vehicles: vehicles(wheelsets),
             state: initial,
-            light,
             untouched,
             readings,
             modes,
             parameters,
-        })
+        };
+        model.read_untouched();
+        Ok(model)
     }
 
     /// The model's constants.
@@ -87,8 +112,7 @@ impl Energy {
 
     /// The rise of an element over the initial state at a level, K.
     pub fn rise(&self, element: usize, level: usize) -> f64 {
-        let shape = &self.readings.levels[level];
-        dot(shape, &self.state.untouched.amplitudes) + self.excess(element, level)
+        self.zone(element).rises[level] + self.excess(element, level)
     }
 
     /// The rise of an element over untouched rail at a level, K.
@@ -96,14 +120,22 @@ impl Energy {
         dot(&self.readings.levels[level], self.state.elements.amplitudes(element))
     }
 
-    /// The rise at the surface where no wheel has been, K.
+    /// The rise at the surface where no wheel has been, at the beginning of the track, K.
     pub fn untouched_surface(&self) -> f64 {
-        dot(self.readings.surface(), &self.state.untouched.amplitudes)
+        self.zones[0].rises[0]
     }
 
-    /// Temperature of the middle of the crown at the start, K.
+    /// Temperature of the middle of the crown at the start, at the beginning of the track, K.
     pub fn initial_temperature(&self) -> f64 {
-        self.untouched.initial_crown()
+        self.zones[0].initial.crown(self.untouched.surface())
+    }
+
+    fn zone(&self, element: usize) -> &Zone {
+        &self.zones[usize::from(self.zone_of[element])]
+    }
+
+    fn untouched_state(&self, element: usize) -> &untouched::State {
+        &self.state.untouched[usize::from(self.zone_of[element])]
     }
 
     /// The highest rise at each level when heat was conducted last.
@@ -133,14 +165,14 @@ impl Energy {
 
     /// Heat above the initial state per metre of rail at an element, J/m.
     pub fn heat_per_metre(&self, element: usize) -> f64 {
-        dot(&self.modes.content, &self.state.untouched.amplitudes)
+        dot(&self.modes.content, &self.untouched_state(element).amplitudes)
             + self.state.elements.heat(element, &self.modes)
     }
 
     /// Heat by source per metre of rail at an element, J/m.
     pub fn sources_per_metre(&self, element: usize) -> Sources {
         let mut sources = self.state.elements.sources(element);
-        sources.weather += self.state.untouched.weather;
+        sources.weather += self.untouched_state(element).weather;
         sources
     }
 
@@ -151,7 +183,8 @@ impl Energy {
             .iter()
             .map(|wheel| beam.moment(wheel.contact.normal_force, wheel.position - chainage))
             .sum();
-        beam.thermoelastic(moment, self.untouched.initial_mean(), material.heat_capacity())
+        let temperature = self.zones[0].initial.mean(self.untouched.surface());
+        beam.thermoelastic(moment, temperature, material.heat_capacity())
     }
 
     /// Depth of each row of a snapshot, m.
@@ -167,9 +200,15 @@ impl Energy {
             let touched = self.state.elements.is_touched(element);
             for (value, row) in column.iter_mut().zip(rows) {
                 let excess = if touched { dot(row, amplitudes) } else { 0.0 };
-                *value = (dot(row, &self.state.untouched.amplitudes) + excess) as f32;
+                *value = (dot(row, &self.untouched_state(element).amplitudes) + excess) as f32;
             }
         }
+    }
+
+    /// Number of elements that something has touched; the others cost nothing.
+    pub fn touched(&self) -> usize {
+        let elements = &self.state.elements;
+        (0..elements.count()).filter(|element| elements.is_touched(*element)).count()
     }
 
     /// All that changes, for saving.
@@ -183,22 +222,77 @@ impl Energy {
         for (element, surface) in self.surface.iter_mut().enumerate() {
             *surface = dot(self.readings.surface(), self.state.elements.amplitudes(element));
         }
+        self.read_untouched();
     }
+}
+
+/// What the zones of a track are made of.
+struct Beginning<'b> {
+    parameters: &'b Parameters,
+    modes: &'b Modes,
+    weather: &'b Weather,
+    /// Temperature around which the modes are linear, K.
+    base: f64,
+}
+
+impl Beginning<'_> {
+    fn zone(
+        &self,
+        sector: Sector,
+        untouched: &mut Untouched,
+        extra: Extra,
+        levels: usize,
+    ) -> Result<Zone, NeverSettles> {
+        let Self { parameters, modes, weather, base } = *self;
+        let (outline, exchange) = (&parameters.outline, &parameters.exchange);
+        let light = Light::new(outline, untouched.surface(), exchange, weather, sector.azimuth);
+        let initial = match &parameters.start {
+            Start::Uniform(temperature) => Initial::uniform(untouched, modes, *temperature),
+            Start::Equilibrium => {
+                Initial::equilibrium(untouched, modes, weather, &light.absorbed, base)
+            }
+            Start::Day(day) => {
+                Initial::after_days(untouched, modes, outline, sector.azimuth, day, base)?
+            }
+        };
+        // In equilibrium nothing shall change, so that the mean stands for what the modes have.
+        let around = match parameters.start {
+            Start::Equilibrium => initial.mean(untouched.surface()),
+            _ => base,
+        };
+        Ok(Zone {
+            in_modes: exchange.coefficient(weather.wind) + exchange.radiation(around),
+            crown: initial.crown(untouched.surface()),
+            rises: vec![0.0; levels],
+            sector,
+            initial,
+            light,
+            extra,
+        })
+    }
+}
+
+/// How many there are of what a state has.
+struct Counts {
+    width: usize,
+    wheels: usize,
+    zones: usize,
 }
 
 impl State {
     fn new(
         parameters: &Parameters,
         readings: &Readings,
-        width: usize,
-        wheels: usize,
+        counts: &Counts,
         weather: &Weather,
         start_time: f64,
     ) -> Self {
+        let Counts { width, wheels, zones } = *counts;
         let nowhere = Highest { rise: 0.0, chainage: parameters.line.chainage(0) };
+        let untouched = untouched::State { amplitudes: vec![0.0; width], weather: 0.0 };
         Self {
             elements: Elements::new(parameters.line.elements, width),
-            untouched: untouched::State { amplitudes: vec![0.0; width], weather: 0.0 },
+            untouched: vec![untouched; zones],
             conducted: start_time,
             positions: vec![None; wheels],
             wheels: vec![weather.ambient + parameters.wheel.initial_rise; wheels],

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::crown::Crown;
 use super::ledger::Sources;
 use super::propagator::Propagator;
-use crate::section::{Modes, add, dot};
+use crate::section::{LANES, Modes, add, dot};
 use crate::wheels::Wheel;
 
 /// What an element gets between two steps.
@@ -25,7 +25,9 @@ pub struct Deposit {
     pub half_width: f64,
     /// Heat of bending, J/m.
     pub bending: f64,
-    /// Time in the shade of a vehicle, s.
+    /// Time under a vehicle, s.
+    pub covered: f64,
+    /// Time in the shadow of a vehicle, s.
     pub shaded: f64,
 }
 
@@ -45,7 +47,7 @@ impl From<&Wheel> for Place {
 }
 
 /// Weather that touched elements feel more than untouched rail.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Extra {
     /// Heat that the shade of a vehicle takes in the modes, J/m per second.
     pub shade: Vec<f64>,
@@ -138,7 +140,34 @@ impl Elements {
     /// An element lies under a vehicle for a time in s.
     pub fn cover(&mut self, element: usize, time: f64) {
         self.touched[element] = true;
+        self.deposits[element].covered += time;
+    }
+
+    /// An element lies in the shadow of a vehicle for a time in s.
+    pub fn shade(&mut self, element: usize, time: f64) {
+        self.touched[element] = true;
         self.deposits[element].shaded += time;
+    }
+
+    /// Number of amplitudes of an element.
+    pub(super) fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Heat comes to an element along the track.
+    pub(super) fn touch(&mut self, element: usize) {
+        self.touched[element] = true;
+    }
+
+    /// A group of an element's amplitudes.
+    pub(super) fn row(&self, element: usize, group: usize) -> [f64; LANES] {
+        let amplitudes = &self.amplitudes[element * self.width + group * LANES..][..LANES];
+        std::array::from_fn(|lane| amplitudes[lane])
+    }
+
+    /// Changes a group of an element's amplitudes.
+    pub(super) fn change_row(&mut self, element: usize, group: usize, by: &[f64; LANES]) {
+        add(&mut self.amplitudes[element * self.width + group * LANES..][..LANES], 1.0, by);
     }
 
     /// The amplitudes of an element.
@@ -184,7 +213,6 @@ fn fill(
     amplitudes: &[f64],
 ) -> (Option<f64>, f64) {
     let Section { extra, propagator, .. } = section;
-    let covered = if deposit.shaded > 0.0 { extra.train_wind } else { 0.0 };
     if *deposit == Deposit::default() && extra.conductance == 0.0 {
         return (None, 0.0);
     }
@@ -202,10 +230,11 @@ fn fill(
         add(source, -deposit.shaded, &extra.shade);
         weather -= deposit.shaded * extra.shade_heat;
     }
-    if extra.conductance != 0.0 || covered != 0.0 {
+    let in_wind = deposit.covered * extra.train_wind;
+    if extra.conductance != 0.0 || in_wind != 0.0 {
         let rise = dot(&extra.mean, amplitudes);
-        let heat = -propagator.time() * extra.conductance * rise
-            - deposit.shaded * covered * (rise + extra.over_air);
+        let heat =
+            -propagator.time() * extra.conductance * rise - in_wind * (rise + extra.over_air);
         add(source, heat, &extra.mean);
         weather += heat;
     }

@@ -1,6 +1,5 @@
 //! The sunlight that the rail's surface absorbs, computed anew when sun or irradiance change.
 
-use super::parameters::Parameters;
 use super::untouched::Untouched;
 use super::weather::{Exchange, Surface, Weather};
 use crate::section::Outline;
@@ -17,14 +16,15 @@ pub(crate) struct Light {
 }
 
 impl Light {
-    /// The light in a weather.
+    /// The light in a weather on a track of this azimuth.
     pub fn new(
         outline: &Outline,
         surface: &Surface,
         exchange: &Exchange,
         weather: &Weather,
+        azimuth: f64,
     ) -> Self {
-        let lit = weather.sun.lit(outline, surface.facets(), exchange.track_azimuth);
+        let lit = weather.sun.lit(outline, surface.facets(), azimuth);
         let without = Weather { diffuse: 0.0, ..*weather };
         Self {
             weather: Some(*weather),
@@ -33,12 +33,18 @@ impl Light {
         }
     }
 
-    /// Brings the light up to date.
-    pub fn shine(&mut self, parameters: &Parameters, untouched: &Untouched, weather: &Weather) {
+    /// Brings the light on a track of this azimuth up to date.
+    pub fn shine(
+        &mut self,
+        outline: &Outline,
+        untouched: &Untouched,
+        weather: &Weather,
+        azimuth: f64,
+    ) {
         let of_light = |w: &Weather| (w.direct, w.diffuse, w.sun);
         if self.weather.as_ref().map(of_light) != Some(of_light(weather)) {
             let (surface, exchange) = (untouched.surface(), untouched.exchange());
-            *self = Self::new(&parameters.outline, surface, exchange, weather);
+            *self = Self::new(outline, surface, exchange, weather, azimuth);
         }
     }
 }

@@ -4,7 +4,8 @@
 //! 1. the wheels leave heat of friction, conduction and bending in the elements they pass, and
 //!    change their own temperature;
 //! 2. untouched rail feels the weather;
-//! 3. the elements that were touched conduct their excess over untouched rail.
+//! 3. the elements that were touched conduct their excess over untouched rail, within the section and,
+//!    if wanted, along the track.
 //!
 //! A step of the co-simulation may be shorter or longer than the interval. Without wheels on the
 //! rail the intervals are up to [`LONGEST_IDLE`] and reach the end of the step: the modes decay
@@ -14,19 +15,20 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
+use super::along::Along;
 use super::answer::Answer;
 use super::crown::Crown;
-use super::elements::{Elements, Extra, Section};
+use super::elements::{Elements, Section};
 use super::ledger::{Ledger, Sources};
-use super::light::Light;
 use super::parameters::Parameters;
 use super::propagator::Propagator;
 use super::readings::Readings;
 use super::untouched::{self, Untouched};
 use super::weather::Weather;
+use super::zones::Zone;
 use crate::paper::Stray;
 use crate::rail::Highest;
-use crate::section::{Modes, dot};
+use crate::section::Modes;
 use crate::wheels::Wheel;
 
 /// Slack in comparing times, s: steps are sums of rounded numbers.
@@ -39,7 +41,8 @@ pub const LONGEST_IDLE: f64 = 60.0;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
     pub(super) elements: Elements,
-    pub(super) untouched: untouched::State,
+    /// Untouched rail in each direction of the track.
+    pub(super) untouched: Vec<untouched::State>,
     /// Until when heat has been conducted, s.
     pub(super) conducted: f64,
     /// Where each wheel was at the end of the last step, m.
@@ -63,14 +66,18 @@ pub struct Energy {
     pub(super) bending: Vec<f64>,
     pub(super) untouched: Untouched,
     pub(super) propagator: Propagator,
-    pub(super) extra: Extra,
-    /// Conductance to the air that the modes have, W/(m²·K).
-    pub(super) in_modes: f64,
-    pub(super) light: Light,
+    /// Directions of the track.
+    pub(super) zones: Vec<Zone>,
+    /// The direction of each element.
+    pub(super) zone_of: Vec<u8>,
+    /// Conduction along the track, if wanted.
+    pub(super) along: Option<Along>,
     /// Wheels of each vehicle.
     pub(super) vehicles: Vec<Range<usize>>,
     /// Excess of the crown of each element when heat was conducted last, K.
     pub(super) surface: Vec<f64>,
+    /// Highest excess of the foot when heat was conducted last.
+    pub(super) foot: Highest,
     /// Where each loaded wheel is when heat is conducted, m.
     pub(super) places: Vec<Option<f64>>,
     pub(super) source: Vec<f64>,
@@ -109,7 +116,7 @@ impl Energy {
             self.pass(wheels, weather, length, done, 1.0);
         }
         for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
-            *position = Some(wheel.position);
+            *position = wheel.place();
         }
         self.stray(wheels)
     }
@@ -146,9 +153,11 @@ impl Energy {
     fn pass(&mut self, wheels: &[Wheel], weather: &Weather, length: f64, from: f64, to: f64) {
         let Parameters { line, material, wheel: heat, beam, .. } = &self.parameters;
         let time = length * (to - from);
-        let rail = self.untouched.initial_crown()
-            + dot(self.readings.surface(), &self.state.untouched.amplitudes);
         for (index, wheel) in wheels.iter().enumerate() {
+            if wheel.is_absent() {
+                self.state.wheels[index] = weather.ambient + heat.initial_rise;
+                continue;
+            }
             let temperature = self.state.wheels[index];
             let mut gained = heat.gain(wheel, temperature, weather.ambient, time);
             if wheel.contact.normal_force > 0.0 {
@@ -159,6 +168,7 @@ impl Energy {
                 let conductance = heat.conductance(wheel, material) * time;
                 let bending = beam.hysteresis(wheel.contact.normal_force) * (way.1 - way.0).abs();
                 for (element, share) in line.shares(way.0, way.1) {
+                    let rail = self.zones[usize::from(self.zone_of[element])].crown;
                     let over = temperature - rail - self.surface[element];
                     let left = Sources {
                         friction: friction * share,
@@ -182,33 +192,47 @@ impl Energy {
             let loaded = begin.filter(|_| wheel.contact.normal_force > 0.0);
             *place = loaded.map(|begin| between(begin, wheel.position, share));
         }
-        self.cover(time);
-        self.light.shine(&self.parameters, &self.untouched, weather);
+        let mut weather = *weather;
+        if let Some(ephemeris) = &self.parameters.ephemeris {
+            weather.sun = ephemeris.at(until - 0.5 * time);
+        }
+        self.cover(&weather, time);
         self.propagator.set_time(&self.modes, time);
-        self.untouched.step(
-            &mut self.state.untouched,
-            &self.modes,
-            weather,
-            &self.light.absorbed,
-            time,
-        );
-        self.weigh(wheels, weather);
-        let section = Section {
-            modes: &self.modes,
-            crown: &self.crown,
-            bending: &self.bending,
-            propagator: &self.propagator,
-            extra: &self.extra,
-        };
+        for (zone, state) in self.zones.iter_mut().zip(&mut self.state.untouched) {
+            let Zone { light, initial, sector, .. } = zone;
+            light.shine(&self.parameters.outline, &self.untouched, &weather, sector.azimuth);
+            let absorbed = &light.absorbed;
+            self.untouched.step(state, initial, &self.modes, &weather, absorbed, time);
+        }
+        self.weigh(wheels, &weather);
+        // Half before and half after, so that heat which comes in meanwhile flows half the time.
+        self.conduct_along(0.5 * time);
         let elements = &mut self.state.elements;
         for element in 0..elements.count() {
             if elements.is_touched(element) {
+                let section = Section {
+                    modes: &self.modes,
+                    crown: &self.crown,
+                    bending: &self.bending,
+                    propagator: &self.propagator,
+                    extra: &self.zones[usize::from(self.zone_of[element])].extra,
+                };
                 elements.step(element, &section, &mut self.source);
             }
         }
+        self.conduct_along(0.5 * time);
         self.state.conducted = until;
         self.read();
         self.find();
+    }
+
+    /// Conduction along the track for a time, if wanted.
+    fn conduct_along(&mut self, time: f64) {
+        if let Some(along) = &mut self.along {
+            let length = self.parameters.line.element_length;
+            let number = self.parameters.material.diffusivity() * time / (length * length);
+            along.conduct(&mut self.state.elements, &self.modes, number);
+        }
     }
 
     /// The first wheel that is outside the modelled track, if none was told of before.

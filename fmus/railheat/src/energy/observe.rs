@@ -7,48 +7,65 @@ use crate::rail::Highest;
 use crate::section::dot;
 
 impl Energy {
-    /// Reads the levels and counts the heat of all elements.
+    /// Reads untouched rail and counts the heat of all elements.
     pub(super) fn read(&mut self) {
-        let Self { readings, modes, surface, parameters, state, .. } = self;
+        self.read_untouched();
+        let Self { readings, modes, surface, parameters, state, zones, zone_of, foot, .. } = self;
         let line = &parameters.line;
-        let nowhere = Highest { rise: 0.0, chainage: line.chainage(0) };
-        state.highest.fill(nowhere);
+        for (place, highest) in state.highest.iter_mut().enumerate() {
+            let highest_zone =
+                zones.iter().max_by(|a, b| a.rises[place].total_cmp(&b.rises[place]));
+            if let Some(zone) = highest_zone {
+                let chainage = line.chainage(zone.sector.first);
+                *highest = Highest { rise: zone.rises[place], chainage };
+            }
+        }
+        *foot = Highest { rise: 0.0, chainage: line.chainage(0) };
         let (mut stored, mut sources) = (0.0, Sources::default());
+        let last = readings.levels.len() - 1;
         for (element, surface) in surface.iter_mut().enumerate() {
             if !state.elements.is_touched(element) {
                 continue;
             }
             let amplitudes = state.elements.amplitudes(element);
+            let rises = &zones[usize::from(zone_of[element])].rises;
             stored += dot(&modes.content, amplitudes);
             sources += state.elements.sources(element);
             *surface = dot(readings.surface(), amplitudes);
+            let chainage = line.chainage(element);
             for (place, highest) in state.highest.iter_mut().enumerate() {
                 let excess =
                     if place == 0 { *surface } else { dot(&readings.levels[place], amplitudes) };
-                if excess > highest.rise {
-                    *highest = Highest { rise: excess, chainage: line.chainage(element) };
+                if excess + rises[place] > highest.rise {
+                    *highest = Highest { rise: excess + rises[place], chainage };
+                }
+                if place == last && excess > foot.rise {
+                    *foot = Highest { rise: excess, chainage };
                 }
             }
         }
-        let untouched = &state.untouched;
-        for (highest, level) in state.highest.iter_mut().zip(&readings.levels) {
-            highest.rise += dot(level, &untouched.amplitudes);
+        for (zone, untouched) in zones.iter().zip(&state.untouched) {
+            sources.weather += zone.sector.elements as f64 * untouched.weather;
+            stored += zone.stored(untouched, modes);
         }
-        let elements = line.elements as f64;
-        sources.weather += elements * untouched.weather;
-        stored += elements * dot(&modes.content, &untouched.amplitudes);
         let length = line.element_length;
         state.ledger = Ledger { stored: stored * length, sources: sources.times(length) };
     }
 
+    /// Reads untouched rail in all directions.
+    pub(super) fn read_untouched(&mut self) {
+        let Self { readings, untouched, zones, state, .. } = self;
+        for (zone, state) in zones.iter_mut().zip(&state.untouched) {
+            zone.read(state, &readings.levels, untouched);
+        }
+    }
+
     /// What cameras see of the foot.
     pub(super) fn find(&mut self) {
-        let Self { readings, parameters, state, places, .. } = self;
+        let Self { readings, parameters, state, places, foot, .. } = self;
         let line = &parameters.line;
-        let foot = state.highest[state.highest.len() - 1];
-        let rise = foot.rise - dot(readings.foot(), &state.untouched.amplitudes);
         let time = state.conducted;
-        let finding = Finding { rise, chainage: foot.chainage, time };
+        let finding = Finding { rise: foot.rise, chainage: foot.chainage, time };
         state.answer.note(finding, parameters.threshold);
         let last = places.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         if let Some(element) = line.element(last) {

@@ -1,8 +1,12 @@
 //! All constants of the model.
 
 use super::bending::Beam;
+use super::ephemeris::Ephemeris;
+use super::initial::Day;
+use super::shadow::Body;
 use super::weather::Exchange;
 use super::wheels::WheelHeat;
+use super::zones::Azimuth;
 use crate::material::Material;
 use crate::section::Outline;
 
@@ -43,6 +47,12 @@ impl Line {
         (place >= 0.0 && place < self.elements as f64).then_some(place as usize)
     }
 
+    /// The element at a chainage, or the one that is nearest to it.
+    pub fn nearest(&self, chainage: f64) -> usize {
+        let place = (chainage - self.begin) / self.element_length;
+        (place.max(0.0) as usize).min(self.elements - 1)
+    }
+
     /// The elements that a way covers, with the share of it in each. A point is a way too.
     pub fn shares(&self, from: f64, to: f64) -> impl Iterator<Item = (usize, f64)> {
         let Self { begin, element_length, elements } = *self;
@@ -64,23 +74,30 @@ impl Line {
 }
 
 /// State of the rail at the start.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Start {
     /// One temperature, K.
     Uniform(f64),
     /// In equilibrium with the weather at the start.
     Equilibrium,
+    /// As a day leaves it that has come again and again.
+    Day(Day),
 }
 
 /// What the train does to the weather.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainWeather {
-    /// Whether the vehicles shade the rail.
-    pub shade: bool,
+    /// What of the vehicles shades the rail; none: nothing.
+    pub shade: Option<Body>,
     /// Wind at the rail under the train over the train's speed.
     pub wind_share: f64,
     /// How far a vehicle reaches beyond its first and last wheel, m.
     pub overhang: f64,
+}
+
+impl TrainWeather {
+    /// Shade without wind of the train.
+    pub const TYPICAL: Self = Self { shade: Some(Body::WAGON), wind_share: 0.0, overhang: 2.8 };
 }
 
 /// All constants of the model.
@@ -106,6 +123,12 @@ pub struct Parameters {
     pub beam: Beam,
     /// Exchange with the weather.
     pub exchange: Exchange,
+    /// Where the track runs.
+    pub azimuth: Azimuth,
+    /// Where the sun stands; none: where the weather says.
+    pub ephemeris: Option<Ephemeris>,
+    /// Whether heat is conducted along the track.
+    pub conducts_along: bool,
     /// What the train does to the weather.
     pub train: TrainWeather,
     /// State at the start.
@@ -114,4 +137,34 @@ pub struct Parameters {
     pub depths: Vec<f64>,
     /// Rise of the foot that a camera can see, K.
     pub threshold: f64,
+}
+
+impl Parameters {
+    /// A straight rail of a section with the FMU's default values, but all of the sun's light.
+    pub fn new(outline: Outline, line: Line) -> Self {
+        let of_section = outline.properties();
+        Self {
+            line,
+            resolution: Resolution::Plane,
+            cell_size: 0.005,
+            shortest: 0.0,
+            interval: 1.0,
+            material: Material::PAPER,
+            wheel: WheelHeat::TYPICAL,
+            beam: Beam {
+                second_moment: of_section.second_moment,
+                to_foot: outline.height() - of_section.centroid,
+                ..Beam::TYPICAL
+            },
+            exchange: Exchange::TYPICAL,
+            azimuth: Azimuth::Constant(0.0),
+            ephemeris: None,
+            conducts_along: false,
+            train: TrainWeather::TYPICAL,
+            start: Start::Equilibrium,
+            depths: vec![],
+            threshold: 0.015,
+            outline,
+        }
+    }
 }

@@ -18,16 +18,17 @@ pub struct Sun {
 }
 
 impl Sun {
-    /// Components of the direction to the sun to the right of a track and upwards.
-    fn across(&self, track_azimuth: f64) -> (f64, f64) {
-        let right = self.elevation.cos() * (self.azimuth - track_azimuth).sin();
-        (right, self.elevation.sin())
+    /// Components of the direction to the sun: to the right of a track, along it, upwards.
+    pub(crate) fn direction(&self, track_azimuth: f64) -> [f64; 3] {
+        let (side, along) = (self.azimuth - track_azimuth).sin_cos();
+        let (up, level) = self.elevation.sin_cos();
+        [level * side, level * along, up]
     }
 
     /// For each piece of the surface the share of the sun's irradiance that falls on it: the
     /// cosine of the angle of incidence, zero in the shade and at night.
     pub fn lit(&self, outline: &Outline, facets: &[Facet], track_azimuth: f64) -> Vec<f64> {
-        let (right, up) = self.across(track_azimuth);
+        let [right, _, up] = self.direction(track_azimuth);
         let share = |facet: &Facet| {
             let incidence = facet.normal.y * right - facet.normal.z * up;
             let sunny = up > 0.0 && incidence > 0.0 && !shaded(outline, facet, right, up);

@@ -8,10 +8,12 @@
 //! ```
 //!
 //! with the flux q_0 that the initial temperatures T_0 balance (theory eq. 12). In equilibrium
-//! s = 0 and r = 0 to the last bit, so that rail without wheels stays as it is.
+//! s = 0 and r = 0 to the last bit, so that rail without wheels stays as it is. Where the initial
+//! temperatures are neither uniform nor in equilibrium, they even out meanwhile (`initial.rs`).
 
 use serde::{Deserialize, Serialize};
 
+use super::initial::Initial;
 use super::propagator::Propagator;
 use super::weather::{Exchange, Surface, Weather};
 use crate::section::{Modes, dot};
@@ -28,7 +30,7 @@ pub struct State {
     pub weather: f64,
 }
 
-/// Untouched rail: what stays.
+/// Untouched rail: what stays, and is the same in all directions of the track.
 #[derive(Clone, Debug)]
 pub struct Untouched {
     surface: Surface,
@@ -37,30 +39,19 @@ pub struct Untouched {
     linear: Vec<f64>,
     /// Shapes at each piece of the surface.
     shapes: Vec<f64>,
-    /// Temperature of each piece at the start, K.
-    initial: Vec<f64>,
-    /// Flux that the initial temperatures balance, W/m².
-    balanced: Vec<f64>,
+    width: usize,
     propagator: Propagator,
     source: Vec<f64>,
 }
 
 impl Untouched {
-    /// Rail of one temperature in K at the start.
-    pub fn uniform(
-        surface: Surface,
-        exchange: Exchange,
-        linear: Vec<f64>,
-        modes: &Modes,
-        temperature: f64,
-    ) -> Self {
-        let pieces = surface.facets().len();
+    /// Rail whose modes have this conductance of each piece of surface in W/(m²·K).
+    pub fn new(surface: Surface, exchange: Exchange, linear: Vec<f64>, modes: &Modes) -> Self {
         let shapes =
             surface.facets().iter().flat_map(|facet| modes.at(facet.cell)).copied().collect();
         Self {
             shapes,
-            initial: vec![temperature; pieces],
-            balanced: vec![0.0; pieces],
+            width: modes.width(),
             source: vec![0.0; modes.width()],
             propagator: Propagator::new(modes, LONGEST),
             surface,
@@ -69,38 +60,11 @@ impl Untouched {
         }
     }
 
-    /// Lets the rail come into equilibrium with a weather that absorbs so much in each piece.
-    pub fn settle(&mut self, modes: &Modes, weather: &Weather, absorbed: &[f64]) {
-        if modes.rates[0] <= 0.0 {
-            return;
-        }
-        let base = self.initial.clone();
-        let mut amplitudes = vec![0.0; modes.width()];
-        for _ in 0..200 {
-            self.sources(&amplitudes, weather, absorbed);
-            let mut change = 0.0_f64;
-            for ((a, source), rate) in
-                amplitudes.iter_mut().zip(&self.source).zip(&modes.rates[..modes.count])
-            {
-                let next = source / rate;
-                change = change.max((next - *a).abs());
-                *a = next;
-            }
-            let size = amplitudes.iter().fold(0.0_f64, |size, a| size.max(a.abs()));
-            if change <= 1e-14 * size {
-                break;
-            }
-        }
-        for (piece, base) in base.into_iter().enumerate() {
-            self.initial[piece] = base + self.rise(piece, &amplitudes);
-            self.balanced[piece] = self.flux(piece, self.initial[piece], weather, absorbed);
-        }
-    }
-
-    /// Takes the rail over a time in s.
+    /// Takes the rail over a time in s in equal steps of at most [`LONGEST`].
     pub fn step(
         &mut self,
         state: &mut State,
+        initial: &Initial,
         modes: &Modes,
         weather: &Weather,
         absorbed: &[f64],
@@ -109,7 +73,7 @@ impl Untouched {
         let steps = (time / LONGEST).ceil().max(1.0);
         self.propagator.set_time(modes, time / steps);
         for _ in 0..steps as usize {
-            let heat = self.sources(&state.amplitudes, weather, absorbed);
+            let heat = self.sources(&state.amplitudes, initial, weather, absorbed);
             let time = self.propagator.time();
             self.source.iter_mut().for_each(|source| *source *= time);
             let lost = dot(&self.propagator.lost, &state.amplitudes)
@@ -122,48 +86,51 @@ impl Untouched {
     }
 
     /// Fills the sources of the modes and gives their heat, W/m.
-    fn sources(&mut self, amplitudes: &[f64], weather: &Weather, absorbed: &[f64]) -> f64 {
-        self.source.fill(0.0);
-        let width = amplitudes.len();
+    pub(super) fn sources(
+        &mut self,
+        amplitudes: &[f64],
+        initial: &Initial,
+        weather: &Weather,
+        absorbed: &[f64],
+    ) -> f64 {
+        self.source.copy_from_slice(&initial.evening_out);
         let mut heat = 0.0;
         for (piece, facet) in self.surface.facets().iter().enumerate() {
             let rise = self.rise(piece, amplitudes);
-            let flux = self.flux(piece, self.initial[piece] + rise, weather, absorbed);
-            let source = facet.length * (flux - self.balanced[piece] + self.linear[piece] * rise);
+            let flux = self.flux(piece, initial.temperatures[piece] + rise, weather, absorbed);
+            let source =
+                facet.length * (flux - initial.balanced[piece] + self.linear[piece] * rise);
             heat += source;
-            crate::section::add(&mut self.source, source, &self.shapes[piece * width..][..width]);
+            let shape = &self.shapes[piece * self.width..][..self.width];
+            crate::section::add(&mut self.source, source, shape);
         }
         heat
     }
 
-    fn flux(&self, piece: usize, temperature: f64, weather: &Weather, absorbed: &[f64]) -> f64 {
+    /// The sources of the modes that were filled last, W/m.
+    pub(super) fn last_sources(&self) -> &[f64] {
+        &self.source
+    }
+
+    /// Heat flux into a piece of a temperature in K, W/m².
+    pub(super) fn flux(
+        &self,
+        piece: usize,
+        temperature: f64,
+        weather: &Weather,
+        absorbed: &[f64],
+    ) -> f64 {
         absorbed[piece] + self.surface.exchanged(piece, &self.exchange, weather, temperature)
     }
 
-    fn rise(&self, piece: usize, amplitudes: &[f64]) -> f64 {
-        let width = amplitudes.len();
-        dot(&self.shapes[piece * width..][..width], amplitudes)
+    /// The rise of a piece of surface by amplitudes, K.
+    pub(super) fn rise(&self, piece: usize, amplitudes: &[f64]) -> f64 {
+        dot(self.shape(piece), amplitudes)
     }
 
-    /// The present temperature of each piece of the surface, K.
-    pub fn temperatures<'s>(&'s self, state: &'s State) -> impl Iterator<Item = f64> + 's {
-        (0..self.initial.len())
-            .map(|piece| self.initial[piece] + self.rise(piece, &state.amplitudes))
-    }
-
-    /// Mean temperature of the surface at the start, K.
-    pub fn initial_mean(&self) -> f64 {
-        let facets = self.surface.facets();
-        let sum: f64 = facets.iter().zip(&self.initial).map(|(f, t)| f.length * t).sum();
-        sum / facets.iter().map(|facet| facet.length).sum::<f64>()
-    }
-
-    /// Temperature at the start of the piece of surface at the middle of the crown, K.
-    pub fn initial_crown(&self) -> f64 {
-        let facets = self.surface.facets();
-        let distance = |i: &usize| facets[*i].middle().y.hypot(facets[*i].middle().z);
-        let nearest = (0..facets.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        nearest.map_or(f64::NAN, |piece| self.initial[piece])
+    /// Conductance of a piece that the modes have, W/(m²·K).
+    pub(super) fn in_modes(&self, piece: usize) -> f64 {
+        self.linear[piece]
     }
 
     /// The surface.
@@ -177,7 +144,7 @@ impl Untouched {
     }
 
     /// Shapes at a piece of the surface.
-    pub fn shape(&self, piece: usize, width: usize) -> &[f64] {
-        &self.shapes[piece * width..][..width]
+    pub fn shape(&self, piece: usize) -> &[f64] {
+        &self.shapes[piece * self.width..][..self.width]
     }
 }

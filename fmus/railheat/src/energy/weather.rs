@@ -49,11 +49,20 @@ pub struct Exchange {
     pub cold_sky: bool,
     /// Conductance of the foot's underside to the pad, W/(m²·K).
     pub pad: f64,
-    /// Azimuth of the running direction, from north over east, rad.
-    pub track_azimuth: f64,
 }
 
 impl Exchange {
+    /// A rusty rail in still air under a sky as warm as the air, insulated from the pad; convection and
+    /// radiation are those of the paper's Table 4.
+    pub const TYPICAL: Self = Self {
+        convection: 6.0,
+        emissivity: 0.75,
+        absorptivity: 0.75,
+        filter: 1.0,
+        cold_sky: false,
+        pad: 0.0,
+    };
+
     /// Heat transfer coefficient to the air in a wind in m/s, W/(m²·K).
     pub fn coefficient(&self, wind: f64) -> f64 {
         let wind = wind.abs();

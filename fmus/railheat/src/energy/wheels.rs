@@ -33,6 +33,15 @@ pub struct WheelHeat {
 }
 
 impl WheelHeat {
+    /// A wheel of about 350 kg as warm as the air, on a perfect contact of equal steels.
+    pub const TYPICAL: Self = Self {
+        partition: 0.5,
+        capacity: 160e3,
+        cooling: 40.0,
+        initial_rise: 0.0,
+        contact_quality: 1.0,
+    };
+
     /// Conductance of a wheel's contact, W/K.
     pub fn conductance(&self, wheel: &Wheel, material: &Material) -> f64 {
         let Contact { normal_force, a, b } = wheel.contact;

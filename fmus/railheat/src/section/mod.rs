@@ -18,5 +18,5 @@ mod outline;
 
 pub use cells::{Cell, Cells, Facet, Link};
 pub use file::{RailFile, RailFileError};
-pub use modes::{Modes, NoModes, add, dot};
+pub use modes::{LANES, Modes, NoModes, add, dot};
 pub use outline::{Outline, Point, Properties};

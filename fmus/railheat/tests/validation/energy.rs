@@ -4,6 +4,7 @@ use railheat::energy::model::Energy;
 use railheat::energy::parameters::{Line, Parameters, Resolution, Start};
 use railheat::energy::sun::Sun;
 use railheat::energy::weather::{Exchange, Weather};
+use railheat::energy::wheels::WheelHeat;
 use railheat::wheels::Wheel;
 
 use crate::common::SPEED;
@@ -135,15 +136,46 @@ fn property_round_off_at_the_foot() {
     assert!(worst < 1e-9);
 }
 
-/// Reference §4.2, an impulse on a 60E1 rail, divided by the rise when mixed: crown, 60 mm, foot
-/// at 100 to 1800 s. The reference used the outline of UIC60 (area 1.1 % less) and a band of
-/// 30 mm on the crown, for which the contact has a half width of 19 mm here. Its own grid error is
-/// 6 % at the foot at 156 s and 1 % after 600 s: 12 %, or 0.003, before 600 s and 3 % from then on.
-/// Its value 60 mm deep at 30 s, 0.341, is left out: there 1 mm of depth is 9 %; 0.404 is found.
+/// Discretisation error at the foot for the heat of a train on R = 800 m, 9.75 kJ/m in 156 s, with h = 15: cells
+/// of 8, 5 (the default), 4 and 3 mm against 2.5 mm. The foot has up to 181 mK. What is allowed is what the docs state:
+/// 0.3 mK by default, 0.1 mK with 3 mm.
+#[test]
+fn property_discretisation_error_at_the_foot() {
+    let feet = |cell_size: f64| {
+        let base = parameters(outline("AS60"), Resolution::Plane, cell_size);
+        let exchange = Exchange { convection: 15.0, ..INSULATED };
+        let line = Line { begin: 0.0, element_length: 0.1, elements: 2 };
+        let mut model = energy(Parameters { exchange, line, ..base }, &[1], &NIGHT);
+        // Half of 12.5 W for 156 s in 0.1 m.
+        let standing = |_| vec![Wheel { speed: 0.0, friction_power: 12.5, ..wheel(0.05) }];
+        run(&mut model, &NIGHT, standing, 0.0, 156, 1.0);
+        let mut feet = vec![1e3 * model.excess(0, 2)];
+        for (from, to) in [(156.0, 300.0), (300.0, 600.0), (600.0, 1500.0)] {
+            model.step(&[Wheel::default()], &NIGHT, from, to - from);
+            feet.push(1e3 * model.excess(0, 2));
+        }
+        feet
+    };
+    let fine = feet(0.0025);
+    println!("foot at 156, 300, 600, 1500 s: {fine:.4?} mK");
+    for (cell_size, allowed) in [(0.008, 2.2), (0.005, 0.3), (0.004, 0.15), (0.003, 0.1)] {
+        let found = feet(cell_size);
+        let errors: Vec<f64> = found.iter().zip(&fine).map(|(found, fine)| found - fine).collect();
+        println!("cells of {cell_size} m: errors {errors:.4?} mK");
+        assert!(errors.iter().all(|error| error.abs() < allowed), "{errors:?}");
+    }
+}
+
+/// Reference §4.2, an impulse on a 60E1 rail, divided by the rise when mixed: crown, "60 mm" (which is 61 mm, see
+/// `staircase.rs`), foot, and how far each may be off. The reference used a band of 30 mm on the crown, for which the
+/// contact has a half width of 19 mm here. Three things add up, each measured: its stairs of 2 mm make its values low by
+/// 4 % at 61 mm and 30 s, 10 and 6 % at the foot at 100 and 200 s (`benchmark_section_against_stairs`); its outline, in
+/// whole mm, by 6 % and 3 % at 61 mm at 30 and 100 s; and cells of 4 mm make ours high by 3 % there. The crown
+/// has 1 %, and 2 % at 30 s: half a second of the start, and a contact that is not an even band.
 #[test]
 fn benchmark_section_impulse() {
     let base = parameters(outline("60E1"), Resolution::Plane, 0.004);
-    let mut model = energy(base, &[1], &NIGHT);
+    let mut model = energy(Parameters { depths: vec![0.061], ..base }, &[1], &NIGHT);
     let wide = |position: f64| {
         let mut wheel = wheel(position);
         wheel.contact.b = 0.019;
@@ -152,28 +184,28 @@ fn benchmark_section_impulse() {
     run(&mut model, &NIGHT, |t| vec![wide(7.0 + SPEED * t)], 0.0, 1, 0.2);
     let mixture = model.heat_per_metre(80) / (7850.0 * 450.0 * 7.748e-3);
     let mut now = 0.2;
-    for (time, crown, deep, foot) in [
-        (100.0, 2.27, 1.309, 0.0039),
-        (200.0, 2.01, 1.514, 0.0633),
-        (600.0, 1.62, 1.393, 0.388),
-        (1800.0, 1.17, 1.107, 0.834),
+    for (time, wanted, allowed) in [
+        (30.0, [3.91, 0.341, 0.0], [0.02, 0.13, 0.0]),
+        (100.0, [2.27, 1.309, 0.0039], [0.01, 0.06, 0.13]),
+        (200.0, [2.01, 1.514, 0.0633], [0.01, 0.04, 0.08]),
+        (600.0, [1.62, 1.393, 0.388], [0.01, 0.02, 0.025]),
+        (1800.0, [1.17, 1.107, 0.834], [0.01, 0.01, 0.01]),
     ] {
         // The heat comes in evenly over the first second.
         let steps = (time + 0.5 - now) as u32;
         run(&mut model, &NIGHT, |_| vec![Wheel::default()], now, steps, 1.0);
         now += f64::from(steps);
-        for (level, wanted) in [crown, deep, foot].into_iter().enumerate() {
+        for (level, (wanted, allowed)) in wanted.into_iter().zip(allowed).enumerate() {
             let found = model.excess(80, level) / mixture;
             println!("{time} s, level {level}: {found:.4}, reference {wanted}");
-            let share = if time < 600.0 { 0.12 } else { 0.03 };
-            assert!((found - wanted).abs() < share * wanted + 0.003, "{time} s, level {level}");
+            assert!((found - wanted).abs() < allowed * wanted + 1e-4, "{time} s, level {level}");
         }
     }
 }
 
-/// Reference §4.2, a train of 156 s: the foot over the rise when mixed, with h = 0 and 15 all
-/// round, at 156 s, 200 s and 600 s. The reference states 6 % of grid error of its own at 156 s, and its
-/// two outlines (60E1, AS60) differ by 9 % then: 15, 10 and 3 %.
+/// Reference §4.2, a train of 156 s: the foot over the rise when mixed, with h = 0 and 15 all round, at 156 s, 200 s and
+/// 600 s. What an impulse shows at 100, 200 and 600 s above holds here too, and the last digit of the reference is
+/// 1 % at 156 s: 14, 9 and 2.5 %.
 #[test]
 fn benchmark_section_train() {
     for (convection, at_tail, at_200, at_600) in
@@ -194,7 +226,7 @@ fn benchmark_section_train() {
         }
         println!("h = {convection}: {found:.4?}, reference {at_tail} {at_200} {at_600}");
         for ((found, wanted), allowed) in
-            found.iter().zip([at_tail, at_200, at_600]).zip([0.15, 0.1, 0.03])
+            found.iter().zip([at_tail, at_200, at_600]).zip([0.14, 0.09, 0.025])
         {
             assert!((found / wanted - 1.0).abs() < allowed, "{found} against {wanted}");
         }
@@ -247,6 +279,30 @@ fn property_second_order_in_the_interval() {
     assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.2), "{orders:?}");
 }
 
+/// A train that comes a second time leaves the same heat where it passes and none on its way back:
+/// between two trains the wheels are absent, and come with their speed and the temperature of the start.
+/// Friction to rounding; the chill of the second train meets a rail warmed by the first, less than 1 %.
+#[test]
+fn property_a_second_train_leaves_what_the_first_left() {
+    let base = parameters(outline("60E1"), Resolution::Column, 0.012);
+    let heat = WheelHeat { contact_quality: 1.0, initial_rise: 20.0, ..base.wheel };
+    let mut model = energy(Parameters { wheel: heat, ..base }, &[1], &NIGHT);
+    let (speed, steps, length) = (5.0, 16, 0.1);
+    let passes =
+        |begin: f64| move |time: f64| vec![Wheel { speed, ..wheel(6.0 + speed * (time - begin)) }];
+    run(&mut model, &NIGHT, passes(0.0), 0.0, steps, length);
+    let first = model.sources_per_metre(100);
+    let begin = 1.6 + 600.0;
+    run(&mut model, &NIGHT, |_| vec![Wheel::default()], 1.6, 60, 10.0);
+    assert_eq!(model.wheel_temperatures(), [NIGHT.ambient + 20.0]);
+    run(&mut model, &NIGHT, passes(begin), begin, steps, length);
+    let both = model.sources_per_metre(100);
+    assert!((both.friction / first.friction - 2.0).abs() < 1e-11, "{first:?}, {both:?}");
+    assert!((both.chill / first.chill - 2.0).abs() < 0.01, "{first:?}, {both:?}");
+    let before = model.sources_per_metre(30);
+    assert_eq!(before.total(), 0.0, "no wheel was there");
+}
+
 /// Rail in equilibrium with any weather stays as it is: nothing exchanged, nothing risen, to the last bit
 /// where no wheel is.
 #[test]
@@ -270,7 +326,8 @@ fn analytic_lumped_cooling() {
     let base = parameters(outline("AS60"), Resolution::Plane, 0.012);
     let start = Start::Uniform(350.0);
     let exchange = Exchange { emissivity: 0.75, ..INSULATED };
-    let mut model = energy(Parameters { exchange, start, ..base.clone() }, &[1], &cold);
+    let warm = base.clone();
+    let mut model = energy(Parameters { exchange, start: start.clone(), ..warm }, &[1], &cold);
     let sigma = 5.670_374_419e-8;
     let time =
         capacity / (3.0 * 0.75 * sigma * perimeter) * (300.0_f64.powi(-3) - 350.0_f64.powi(-3));

@@ -7,7 +7,6 @@ use railheat::energy::parameters::{Line, Parameters, Resolution, Start, TrainWea
 use railheat::energy::sun::Sun;
 use railheat::energy::weather::{Exchange, Weather};
 use railheat::energy::wheels::WheelHeat;
-use railheat::material::Material;
 use railheat::section::{Outline, RailFile};
 use railheat::wheels::Wheel;
 
@@ -30,7 +29,6 @@ pub const INSULATED: Exchange = Exchange {
     filter: 0.0,
     cold_sky: false,
     pad: 0.0,
-    track_azimuth: 0.0,
 };
 
 /// An upright slab 172 mm high and 40 mm wide: the one-dimensional closed forms.
@@ -47,35 +45,18 @@ pub fn outline(rail: &str) -> Outline {
 
 /// An insulated rail of 20 m that gets friction heat only.
 pub fn parameters(outline: Outline, resolution: Resolution, cell_size: f64) -> Parameters {
-    let of_section = outline.properties();
+    let line = Line { begin: 0.0, element_length: 0.1, elements: 200 };
+    let base = Parameters::new(outline, line);
     Parameters {
-        line: Line { begin: 0.0, element_length: 0.1, elements: 200 },
         resolution,
         cell_size,
-        shortest: 0.0,
-        interval: 1.0,
-        material: Material::PAPER,
-        wheel: WheelHeat {
-            partition: 0.5,
-            capacity: 160e3,
-            cooling: 40.0,
-            initial_rise: 0.0,
-            contact_quality: 0.0,
-        },
-        beam: Beam {
-            modulus: 207e9,
-            second_moment: of_section.second_moment,
-            to_foot: outline.height() - of_section.centroid,
-            track_modulus: 35e6,
-            expansion: 11.5e-6,
-            loss_factor: 0.0,
-        },
+        wheel: WheelHeat { contact_quality: 0.0, ..base.wheel },
+        beam: Beam { loss_factor: 0.0, ..base.beam },
         exchange: INSULATED,
-        train: TrainWeather { shade: false, wind_share: 0.0, overhang: 2.8 },
-        start: Start::Uniform(300.0),
+        train: TrainWeather { shade: None, ..base.train },
+        start: Start::Uniform(NIGHT.ambient),
         depths: vec![0.06],
-        threshold: 0.015,
-        outline,
+        ..base
     }
 }
 
@@ -93,7 +74,7 @@ pub fn all_effects(outline: Outline, resolution: Resolution) -> Parameters {
             pad: 20.0,
             ..INSULATED
         },
-        train: TrainWeather { shade: true, wind_share: 0.3, overhang: 2.8 },
+        train: TrainWeather { wind_share: 0.3, ..TrainWeather::TYPICAL },
         start: Start::Equilibrium,
         ..base
     }

@@ -4,12 +4,17 @@
 //! reference values were computed independently of this code. All with the paper's steel
 //! (k = 40, ρ = 7850, c = 450) unless stated.
 
+mod along;
+mod closed_forms;
 mod common;
 mod conduction;
+mod contact_forms;
 mod effects;
 mod energy;
 mod energy_common;
 mod flash;
 mod paper;
 mod section;
+mod site;
+mod staircase;
 mod weather;

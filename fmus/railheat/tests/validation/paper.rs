@@ -27,6 +27,21 @@ fn field(model: &Paper) -> Vec<f32> {
     values
 }
 
+/// Between two trains the wheels are absent; one that comes again comes with its speed, and heats
+/// nothing on its way back.
+#[test]
+fn property_a_wheel_that_comes_again_heats_only_where_it_passes() {
+    let mut model = model(Parameters { surface: ADIABATIC, ..parameters() }, 1);
+    let passing = |time: f64| vec![wheel(80.0 + SPEED * time)];
+    run(&mut model, passing, 100, 0.001);
+    model.step(&[Wheel::default()], &SUNNY, 0.1, 1.0);
+    model.step(&[wheel(20.0)], &SUNNY, 1.1, 0.001);
+    let grid = model.parameters().grid;
+    let warm =
+        |chainage: f64| model.heat_per_metre((chainage / grid.element_length) as usize) > 0.0;
+    assert!(warm(81.0) && warm(19.99) && !warm(10.0) && !warm(50.0));
+}
+
 /// Section 2.1 of the paper: "if the existing temperature of the boundary condition is higher than
 /// the calculated temperature, the new lower temperature is ignored".
 #[test]

@@ -5,6 +5,7 @@
 //! | `system.rs` | M d²q/dt² + C dq/dt + K q + dampers with stiffness in series = 0 |
 //! | `modes.rs` | its eigenvalues and shapes |
 //! | `rolling.rs` | wheelsets that roll; the critical speed |
+//! | `stability.rs` | whether a system is stable |
 //!
 //! Coordinates are displacement and rotation of each body in turn (six each). Elements count with
 //! their tangents at the static load, without weight and static load themselves; stops within
@@ -12,6 +13,7 @@
 
 mod modes;
 mod rolling;
+mod stability;
 mod system;
 
 pub use modes::{Mode, Modes};

@@ -1,7 +1,8 @@
 //! Modes of the linear system: eigenvalues of its first-order form, and a shape for each.
 //!
-//! With coordinates of unit inertia p = M^1/2 q, the state (p, dp/dt, f) follows
-//! dp/dt, -K p - C dp/dt - Σ b f, and k (bᵀ dp/dt - f/c).
+//! With coordinates of unit inertia p = M^1/2 q, the state (dp/dt, f, p) follows
+//! -K p - C dp/dt - Σ b f, k (bᵀ dp/dt - f/c), and dp/dt. Coordinates that no spring acts on, such
+//! as the rotation of a rolling wheelset, are no part of p: they would only add eigenvalues of zero.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -13,6 +14,9 @@ const SWEEPS: usize = 3;
 
 /// Share of an eigenvalue by which the shift of the inverse iteration misses it.
 const MISS: f64 = 1e-9;
+
+/// Circular frequency by which places are scaled, rad/s.
+const UNIT: f64 = 50.0;
 
 /// Frequency, rad/s, below which a mode is that of a body that nothing holds.
 const FREE: f64 = 1e-3;
@@ -65,32 +69,26 @@ impl System {
         Modes { oscillating, monotonic: monotonic.map(|value| value.re).collect() }
     }
 
-    /// The eigenvalue of the mode that dies away most slowly, or grows fastest, of those that
-    /// oscillate with more than `lowest` rad/s.
-    pub(super) fn least_stable(&self, lowest: f64) -> Option<Complex<f64>> {
-        let eigenvalues = self.first_order().complex_eigenvalues();
-        let oscillating = eigenvalues.iter().filter(|value| value.im > lowest);
-        oscillating.copied().max_by(|a, b| a.re.total_cmp(&b.re))
-    }
-
     /// Matrix of the first-order form in coordinates of unit inertia.
-    fn first_order(&self) -> DMatrix<f64> {
+    pub(super) fn first_order(&self) -> DMatrix<f64> {
         let (size, extra) = (self.inertia.len(), self.series.len());
-        let mut matrix = DMatrix::zeros(2 * size + extra, 2 * size + extra);
-        for i in 0..size {
-            matrix[(i, size + i)] = 1.0;
-        }
         let (stiffness, damping) = (self.scaled(&self.stiffness), self.scaled(&self.damping));
-        matrix.view_mut((size, 0), (size, size)).copy_from(&-stiffness);
-        matrix.view_mut((size, size), (size, size)).copy_from(&-damping);
+        let held: Vec<usize> = (0..size).filter(|&j| stiffness.column(j).amax() > 0.0).collect();
+        let places = size + extra;
+        let mut matrix = DMatrix::zeros(places + held.len(), places + held.len());
+        matrix.view_mut((0, 0), (size, size)).copy_from(&-damping);
+        for (i, &j) in held.iter().enumerate() {
+            // Places are scaled so that both couplings are alike.
+            matrix.view_mut((0, places + i), (size, 1)).copy_from(&(-stiffness.column(j) / UNIT));
+            matrix[(places + i, j)] = UNIT;
+        }
         for (i, series) in self.series.iter().enumerate() {
-            let at = 2 * size + i;
-            // The force is scaled so that both couplings are alike.
+            let at = size + i;
             let unit = series.stiffness.sqrt();
             for (j, value) in series.row.iter().enumerate() {
                 let coupling = unit * value / self.inertia[j].sqrt();
-                matrix[(size + j, at)] = -coupling;
-                matrix[(at, size + j)] = coupling;
+                matrix[(j, at)] = -coupling;
+                matrix[(at, j)] = coupling;
             }
             matrix[(at, at)] = -series.stiffness / series.damping;
         }
@@ -99,7 +97,6 @@ impl System {
 
     /// The mode of an eigenvalue, its shape by inverse iteration.
     fn mode(&self, matrix: &DMatrix<f64>, eigenvalue: Complex<f64>) -> Mode {
-        let size = self.inertia.len();
         let mut shifted = matrix.map(|value| Complex::new(value, 0.0));
         for i in 0..matrix.nrows() {
             shifted[(i, i)] -= eigenvalue * (1.0 + MISS);
@@ -112,14 +109,13 @@ impl System {
                 vector = next.unscale(next.norm());
             }
         }
-        let motion = vector.rows(size, size);
+        let motion = vector.rows(0, self.inertia.len());
         let energy = motion.map(|value| value.norm_sqr()) / motion.norm_squared();
-        let speed = 2.0_f64.sqrt() / motion.norm();
-        let place = vector.rows(0, size).into_owned();
+        let place = motion.map(|speed| speed / eigenvalue);
         let largest = place[place.icamax()];
-        let turn = largest.conj() / largest.norm() * speed;
-        let shape =
-            DVector::from_fn(size, |i, _| place[i] * turn / Complex::from(self.inertia[i].sqrt()));
+        let turn = largest.conj() / largest.norm() * (2.0_f64.sqrt() / motion.norm());
+        let inertia = &self.inertia;
+        let shape = place.map_with_location(|i, _, value| value * turn / inertia[i].sqrt());
         Mode { eigenvalue, shape, energy }
     }
 }

@@ -20,14 +20,21 @@ use crate::structure::Structure;
 /// Vertical stiffness of a contact with what is below it, N/m, and its damping, N s/m.
 const VERTICAL: (f64, f64) = (0.2e9, 100e3);
 
-/// Lowest circular frequency of a mode that counts, rad/s: below, the vehicle only drifts.
-const LOWEST: f64 = 0.3;
+/// Rate of growth, 1/s, above which the vehicle counts as unstable: it doubles in 70 s.
+const GROWING: f64 = 0.01;
+
+/// Stiffness that holds the first body along the track, N/m, so that the vehicle does not drift: 0.04 Hz
+/// for a heavy locomotive.
+const HOLDING: f64 = 1e4;
 
 /// Steps of the search for the first unstable speed, m/s.
-const SEARCH_STEP: f64 = 4.0;
+const SEARCH_STEP: f64 = 8.0;
 
 /// How exactly the speed is found, m/s.
-const EXACTNESS: f64 = 0.01;
+const EXACTNESS: f64 = 0.1;
+
+/// How far above it the frequency is read, m/s, where the growing mode outweighs all others.
+const BEYOND: f64 = 3.0;
 
 /// Wheels and rails of the linear system.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,12 +69,10 @@ impl Rolling {
     /// The speed up to `greatest` at which the first oscillation begins to grow, if there is one.
     pub fn critical_speed(&self, structure: &Structure, greatest: f64) -> Option<CriticalSpeed> {
         let suspension = System::new(structure, Surfaces::Slide);
-        let growth = |speed: f64| {
-            let least_stable = self.system(&suspension, structure, speed).least_stable(LOWEST);
-            least_stable.map_or((-1.0, 0.0), |value| (value.re, value.im))
-        };
+        let at = |speed: f64| self.system(&suspension, structure, speed).least_stable();
+        let grows = |speed: f64| at(speed).is_some_and(|mode| mode.growth > GROWING);
         let mut stable = SEARCH_STEP;
-        while growth(stable + SEARCH_STEP).0 < 0.0 {
+        while !grows(stable + SEARCH_STEP) {
             stable += SEARCH_STEP;
             if stable >= greatest {
                 return None;
@@ -76,13 +81,13 @@ impl Rolling {
         let mut unstable = stable + SEARCH_STEP;
         while unstable - stable > EXACTNESS {
             let middle = 0.5 * (stable + unstable);
-            if growth(middle).0 < 0.0 {
-                stable = middle;
-            } else {
+            if grows(middle) {
                 unstable = middle;
+            } else {
+                stable = middle;
             }
         }
-        let frequency = growth(unstable).1 / std::f64::consts::TAU;
+        let frequency = at(unstable + BEYOND)?.frequency / std::f64::consts::TAU;
         Some(CriticalSpeed { speed: unstable, frequency })
     }
 
@@ -90,6 +95,7 @@ impl Rolling {
     fn system(&self, suspension: &System, structure: &Structure, speed: f64) -> System {
         let mut system = suspension.clone();
         let size = system.inertia.len();
+        system.stiffness[(0, 0)] += HOLDING;
         for data in &structure.wheelsets {
             let radius = data.wheel.radius;
             let [f11, f22] = self.creep_coefficients(radius, data.static_wheel_load);

@@ -93,6 +93,14 @@ impl System {
         self
     }
 
+    /// The system without dampers and damping.
+    #[must_use]
+    pub fn without_damping(mut self) -> Self {
+        self.damping.fill(0.0);
+        self.series.clear();
+        self
+    }
+
     fn add_springs(&mut self, structure: &Structure) {
         let suspension = &structure.suspension;
         for spring in &suspension.springs {

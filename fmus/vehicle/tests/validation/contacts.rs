@@ -1,9 +1,6 @@
 //! Several contacts a wheel, and wheels off their rails.
 
-#[allow(dead_code)] // this program uses a part of it
-mod common;
-
-use common::*;
+use crate::common::*;
 use vehicle::inputs::Inputs;
 use vehicle::wheel::Standing;
 

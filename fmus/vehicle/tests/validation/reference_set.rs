@@ -1,12 +1,7 @@
-//! The vehicle against known answers. Each test: case, expected value and its source, tolerance
-//! and why.
-//!
 //! "Reference set" is the representative Co-Co locomotive of `stock/vehicles`, for which the same
 //! quantities were computed independently (docs/theory/vehicle.md, section on validation).
 
-mod common;
-
-use common::*;
+use crate::common::*;
 use vehicle::inputs::Inputs;
 use vehicle::linear;
 use vehicle::wheel::Standing;

@@ -29,10 +29,14 @@ pub const TRANSITION: &str = "
 
 /// The reference set.
 pub fn locomotive() -> Arc<Structure> {
+    from_stock("locomotive-coco-134t")
+}
+
+/// A vehicle of the stock library.
+pub fn from_stock(name: &str) -> Arc<Structure> {
     let stock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../stock");
     let library = stock::Library::open(stock).unwrap();
-    let vehicle = library.vehicle("locomotive-coco-134t").unwrap();
-    Arc::new(Structure::new(&vehicle).unwrap())
+    Arc::new(Structure::new(&library.vehicle(name).unwrap()).unwrap())
 }
 
 /// Two wheelsets of cones 1:20 far apart under a load that rests on them so softly sideways and
@@ -118,10 +122,11 @@ pub fn started(structure: Arc<Structure>, track: &str, speed: f64, inputs: &Inpu
     vehicle
 }
 
-/// Runs on in steps of 1 ms.
+/// Runs on in steps of at most 1 ms.
 pub fn run(vehicle: &mut Dynamics, time: f64, inputs: &Inputs) {
-    for _ in 0..(time / 1e-3).round() as usize {
-        vehicle.step(1e-3, inputs);
+    let step = 1e-3 / (1e-3 / vehicle.longest_step()).ceil();
+    for _ in 0..(time / step).round() as usize {
+        vehicle.step(step, inputs);
     }
 }
 

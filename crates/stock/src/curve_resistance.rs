@@ -1,0 +1,51 @@
+//! The keys of section `[resistance]` of the vehicle file on curves.
+
+use serde::Deserialize;
+
+use crate::check::{Check, StockError};
+
+/// How the curve resistance follows from the radius R, m.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CurveFormula {
+    /// `curve_n_m_per_t m/R`.
+    #[default]
+    Radius,
+    /// `0.0004 m g D` with the degree of curve D over a chord of 100 ft, about 1746/R.
+    Degree,
+    /// Roeckl: `650/(R − 55)` N/kN from 300 m on, `500/(R − 30)` below.
+    Roeckl,
+    /// N/t by curvature from the table.
+    Table,
+}
+
+/// Curve resistance over curvature.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CurveTable {
+    /// Curvatures, rising from zero, 1/km.
+    pub per_km: Vec<f64>,
+    /// Resistance, N/t.
+    pub resistance_n_per_t: Vec<f64>,
+}
+
+impl CurveFormula {
+    /// The table must be there where the formula needs it, and only there.
+    pub(crate) fn check(self, table: Option<&CurveTable>, check: &Check) -> Result<(), StockError> {
+        match (self, table) {
+            (Self::Table, Some(table)) => check.section("curve_table").columns(
+                ("per_km", &table.per_km),
+                ("resistance_n_per_t", &table.resistance_n_per_t),
+                2,
+            ),
+            (Self::Table, None) => {
+                Err(check.error("curve_table", "none", "needed by the curve formula \"table\""))
+            }
+            (_, Some(_)) => {
+                let wanted = "leave it out, or set curve_formula = \"table\"";
+                Err(check.error("curve_table", "given", wanted))
+            }
+            (_, None) => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! The synchronisation controller as an FMU.
+
+fmu::export!(synchronisation::Synchronisation);

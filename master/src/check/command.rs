@@ -1,0 +1,92 @@
+//! The command `hotfoot check`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use miette::{IntoDiagnostic, Result, miette};
+
+use super::{Severity, check, rules};
+use crate::fmi::Import;
+use crate::reference::{self, Verdict};
+use crate::roles::{self, Role};
+use crate::supervise;
+
+/// Arguments of `hotfoot check`.
+#[derive(Args)]
+pub struct CheckArguments {
+    /// FMU
+    #[arg(required_unless_present = "rules")]
+    fmu: Option<PathBuf>,
+    /// Also say whether the FMU can fill this role in the train, and what it lacks
+    #[arg(long = "as", value_enum)]
+    role: Option<Role>,
+    /// Also run the reference result that the FMU carries, and compare
+    #[arg(long)]
+    replay: bool,
+    /// List the rules for a modelDescription.xml and do nothing else
+    #[arg(long)]
+    rules: bool,
+}
+
+/// Checks an FMU against the rules of FMI 2.0, for a role, and against its reference result.
+///
+/// # Errors
+/// When a rule is broken, the FMU does not fit the role, or it gives another result; the error
+/// says all that was found.
+pub fn command(arguments: &CheckArguments) -> Result<()> {
+    if arguments.rules {
+        for rule in rules() {
+            println!("{:<32} {}", rule.name, rule.wants);
+        }
+        return Ok(());
+    }
+    let Some(fmu) = &arguments.fmu else { return Ok(()) };
+    match supervise::is_child() {
+        true => check_here(fmu, arguments),
+        false => {
+            supervise::in_child(&[], || Err(miette!("{} has crashed the check", fmu.display())))
+        }
+    }
+}
+
+fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {
+    let mut problems = broken_rules(fmu);
+    if problems.is_empty() {
+        println!("{} keeps the rules of FMI 2.0", fmu.display());
+    }
+    if let Some(role) = arguments.role {
+        problems.extend(unfit(fmu, role)?);
+    }
+    if arguments.replay {
+        match reference::compare(fmu).into_diagnostic()? {
+            Verdict::Same(agreement) => println!("{agreement}"),
+            Verdict::Different(differences) => problems.extend(differences),
+        }
+    }
+    match problems.is_empty() {
+        true => Ok(()),
+        false => Err(miette!("{}:\n{}", fmu.display(), problems.join("\n"))),
+    }
+}
+
+/// The rules that are broken; advice is printed at once, as it makes no FMU wrong.
+fn broken_rules(fmu: &Path) -> Vec<String> {
+    let (advice, errors): (Vec<_>, Vec<_>) =
+        check(fmu).into_iter().partition(|finding| finding.severity == Severity::Advice);
+    for finding in advice {
+        println!("{finding}");
+    }
+    errors.iter().map(ToString::to_string).collect()
+}
+
+/// What the FMU lacks for a role.
+fn unfit(fmu: &Path, role: Role) -> Result<Vec<String>> {
+    let import = Import::open(fmu).into_diagnostic()?;
+    let missing = roles::missing(import.interface(), role);
+    if missing.is_empty() {
+        println!("{} can be used as {role:?}", fmu.display());
+        return Ok(vec![]);
+    }
+    let heading = format!("it cannot be used as {role:?}:");
+    Ok(std::iter::once(heading).chain(missing).collect())
+}

@@ -1,0 +1,126 @@
+//! Rules on the files of an FMU and on its binary (§2.3, §2.1.5).
+
+use std::path::Path;
+
+use super::{FILE, Finding, Severity, check_description, terminals};
+use crate::archive;
+use crate::fmi::{self, FmuInstance, Import};
+use crate::interface::Interface;
+
+/// An error of a rule that no single element breaks.
+fn error(rule: &'static str, place: impl Into<String>, sentence: impl Into<String>) -> Finding {
+    let (place, sentence) = (place.into(), sentence.into());
+    Finding { rule, severity: Severity::Error, place, sentence }
+}
+
+/// Checks an FMU from its archive to its binary, as far as it can be read.
+pub fn check(fmu: &Path) -> Vec<Finding> {
+    let name = fmu.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let folder = match tempfile::tempdir() {
+        Ok(folder) => folder,
+        Err(source) => return vec![error("archive-can-be-unpacked", name, source.to_string())],
+    };
+    let mut findings = match archive::uncommon_entries(fmu) {
+        Ok(entries) => entries.into_iter().map(uncommon).collect(),
+        Err(_) => vec![],
+    };
+    if let Err(source) = archive::unpack(fmu, folder.path()) {
+        findings.push(error("archive-can-be-unpacked", name, source.to_string()));
+        return findings;
+    }
+    let text = match std::fs::read_to_string(folder.path().join(FILE)) {
+        Ok(text) => text,
+        Err(source) => {
+            let sentence = format!("the FMU has no readable {FILE}: {source}");
+            findings.push(error("description-is-there", name, sentence));
+            return findings;
+        }
+    };
+    findings.extend(check_description(&text));
+    findings.extend(terminals::check(folder.path(), &text));
+    if let Ok(interface) = Interface::from_xml(&text) {
+        findings.extend(binary(fmu, folder.path(), &interface));
+    }
+    findings
+}
+
+fn uncommon((entry, method): (String, String)) -> Finding {
+    let sentence = format!("the entry is packed by {method}, but FMI 2.0 allows store and deflate");
+    error("archive-is-stored-or-deflated", entry, sentence)
+}
+
+/// Checks the binary, where there is one for this platform.
+fn binary(fmu: &Path, folder: &Path, interface: &Interface) -> Vec<Finding> {
+    let path = fmi::binary_path(&interface.identifier);
+    let place = path.display().to_string();
+    let file = folder.join(&path);
+    if !file.exists() {
+        return vec![missing_binary(folder, place)];
+    }
+    match fmi::missing_functions(&file) {
+        Err(source) => {
+            let sentence = format!("the binary cannot be loaded: {source}");
+            vec![error("binary-can-be-loaded", place, sentence)]
+        }
+        Ok(missing) if !missing.is_empty() => {
+            let sentence = format!(
+                "the binary lacks {}; all 34 functions must be there, also those that the FMU \
+                 does not support",
+                missing.join(", ")
+            );
+            vec![error("functions-are-complete", place, sentence)]
+        }
+        Ok(_) => instance(fmu, &place),
+    }
+}
+
+/// There is no binary for this platform: none at all, or one for another.
+fn missing_binary(folder: &Path, place: String) -> Finding {
+    let platforms: Vec<String> = std::fs::read_dir(folder.join("binaries"))
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect();
+    match platforms.iter().any(|platform| place.contains(platform)) || platforms.is_empty() {
+        true => error(
+            "binary-is-there",
+            place,
+            "there is no such file; the binary must be named by `modelIdentifier`",
+        ),
+        false => Finding {
+            rule: "binary-is-for-this-platform",
+            severity: Severity::Advice,
+            place,
+            sentence: format!("there are binaries for {} only", platforms.join(", ")),
+        },
+    }
+}
+
+/// What the binary says, and whether it makes an instance.
+fn instance(fmu: &Path, place: &str) -> Vec<Finding> {
+    let import = match Import::open(fmu) {
+        Ok(import) => import,
+        Err(source) => return vec![error("binary-can-be-loaded", place, source.to_string())],
+    };
+    let mut findings = vec![];
+    let (version, platform) = import.version_and_platform();
+    if version != "2.0" {
+        let sentence = format!("fmi2GetVersion gives \"{version}\", but must give \"2.0\"");
+        findings.push(error("binary-is-of-fmi-2.0", place, sentence));
+    }
+    if platform != "default" {
+        let sentence =
+            format!("fmi2GetTypesPlatform gives \"{platform}\", but must give \"default\"");
+        findings.push(error("binary-is-of-fmi-2.0", place, sentence));
+    }
+    if let Err(source) = FmuInstance::new(&import, "check") {
+        let sentence = format!(
+            "fmi2Instantiate makes no instance for the GUID {}{}",
+            import.interface().guid,
+            source.last_message.map(|text| format!(": {text}")).unwrap_or_default()
+        );
+        findings.push(error("instance-can-be-made", place, sentence));
+    }
+    findings
+}

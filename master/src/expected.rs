@@ -1,0 +1,204 @@
+//! The figures that a scenario is expected to give, in a file beside it, against those in the
+//! manifest of a run.
+//!
+//! ```toml
+//! simulated_s = 106.0                 # a shorter run is not compared
+//! [[figure]]
+//! key = "left.foot.highest"           # as in the manifest
+//! value = 0.126                       # in the manifest's unit; left out: there must be none
+//! tolerance = 0.001                   # largest difference
+//! source = "where the value comes from"
+//! ```
+
+use std::fmt;
+use std::path::Path;
+
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+/// Why figures cannot be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum ExpectedError {
+    /// A file cannot be read.
+    #[error("{file}: {source}")]
+    Read {
+        /// File.
+        file: String,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// A file is not what it should be.
+    #[error("{file}: {source}")]
+    Syntax {
+        /// File.
+        file: String,
+        /// Reason, with line and caret.
+        source: Box<toml::de::Error>,
+    },
+    /// The run is another one.
+    #[error("the run came to {found} s, but the figures are expected after {expected} s")]
+    Time {
+        /// Time that the run came to, s.
+        found: f64,
+        /// Time for which the figures are, s.
+        expected: f64,
+    },
+}
+
+/// The file of expected figures.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Expected {
+    simulated_s: f64,
+    figure: Vec<ExpectedFigure>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ExpectedFigure {
+    key: String,
+    value: Option<f64>,
+    #[serde(default)]
+    tolerance: f64,
+    source: String,
+}
+
+/// What of a manifest is compared.
+#[derive(Debug, Deserialize)]
+struct Manifest {
+    simulated_s: f64,
+    #[serde(default)]
+    figure: Vec<FoundFigure>,
+}
+
+#[derive(Debug, Deserialize)]
+struct FoundFigure {
+    key: String,
+    value: Option<f64>,
+    unit: String,
+}
+
+/// How a figure compares.
+#[derive(Debug, PartialEq)]
+pub struct Comparison {
+    key: String,
+    expected: Option<f64>,
+    tolerance: f64,
+    /// None if the run has no figure of that key.
+    found: Option<Option<f64>>,
+    unit: String,
+    source: String,
+}
+
+impl Comparison {
+    /// Whether the run gave what was expected.
+    pub fn agrees(&self) -> bool {
+        match (self.expected, self.found) {
+            (Some(expected), Some(Some(found))) => (found - expected).abs() <= self.tolerance,
+            (None, Some(None)) => true,
+            _ => false,
+        }
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| v.to_string());
+        let found = self.found.map_or("no such figure".to_owned(), number);
+        write!(
+            f,
+            "{} {}: {found} {}, expected {} ± {} ({})",
+            if self.agrees() { "agrees " } else { "DIFFERS" },
+            self.key,
+            self.unit,
+            number(self.expected),
+            self.tolerance,
+            self.source
+        )
+    }
+}
+
+/// Compares the figures of the run in the folder `results` with those of the file `expected`.
+///
+/// # Errors
+/// When a file cannot be read, or the run is not the one of the file.
+pub fn compare(results: &Path, expected: &Path) -> Result<Vec<Comparison>, ExpectedError> {
+    let manifest: Manifest = read(&results.join("manifest.toml"))?;
+    let expected: Expected = read(expected)?;
+    let (found, wanted) = (manifest.simulated_s, expected.simulated_s);
+    if (found - wanted).abs() > 1e-6 * wanted {
+        return Err(ExpectedError::Time { found, expected: wanted });
+    }
+    let compared = |figure: ExpectedFigure| {
+        let found = manifest.figure.iter().find(|found| found.key == figure.key);
+        Comparison {
+            found: found.map(|found| found.value),
+            unit: found.map(|found| found.unit.clone()).unwrap_or_default(),
+            key: figure.key,
+            expected: figure.value,
+            tolerance: figure.tolerance,
+            source: figure.source,
+        }
+    };
+    Ok(expected.figure.into_iter().map(compared).collect())
+}
+
+fn read<T: DeserializeOwned>(file: &Path) -> Result<T, ExpectedError> {
+    let name = file.display().to_string();
+    match std::fs::read_to_string(file) {
+        Ok(text) => toml::from_str(&text)
+            .map_err(|source| ExpectedError::Syntax { file: name, source: Box::new(source) }),
+        Err(source) => Err(ExpectedError::Read { file: name, source }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MANIFEST: &str = "simulated_s = 106.0\n\
+        [[figure]]\nkey = \"left.foot.highest\"\nvalue = 0.126\nunit = \"K\"\n\
+        [[figure]]\nkey = \"right.foot.detection\"\nunit = \"s\"\n";
+
+    fn compared(expected: &str) -> Result<Vec<Comparison>, ExpectedError> {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("manifest.toml"), MANIFEST).unwrap();
+        let file = folder.path().join("expected.toml");
+        std::fs::write(&file, expected).unwrap();
+        compare(folder.path(), &file)
+    }
+
+    fn figure(key: &str, value: &str) -> String {
+        format!(
+            "simulated_s = 106.0\n[[figure]]\nkey = \"{key}\"\n{value}\ntolerance = 0.001\n\
+             source = \"test\"\n"
+        )
+    }
+
+    #[test]
+    fn a_figure_agrees_within_its_tolerance_and_no_farther() {
+        for (key, value, agrees) in [
+            ("left.foot.highest", "value = 0.1265", true),
+            ("left.foot.highest", "value = 0.128", false),
+            ("left.foot.highest", "", false),
+            ("right.foot.detection", "", true),
+            ("right.foot.detection", "value = 236.0", false),
+            ("right.foot.dtection", "", false),
+        ] {
+            let comparisons = compared(&figure(key, value)).unwrap();
+            assert_eq!(comparisons[0].agrees(), agrees, "{}", comparisons[0]);
+        }
+        let sentence =
+            compared(&figure("left.foot.highest", "value = 0.128")).unwrap()[0].to_string();
+        assert_eq!(sentence, "DIFFERS left.foot.highest: 0.126 K, expected 0.128 ± 0.001 (test)");
+    }
+
+    #[test]
+    fn another_run_and_a_typo_are_refused() {
+        let shorter = figure("left.foot.highest", "").replace("106.0", "3.0");
+        let sentence = compared(&shorter).unwrap_err().to_string();
+        assert!(sentence.contains("came to 106 s") && sentence.contains("after 3 s"), "{sentence}");
+        let sentence = compared("simulated_s = 1.0\nfigures = []").unwrap_err().to_string();
+        assert!(sentence.contains("expected.toml") && sentence.contains("figures"), "{sentence}");
+    }
+}

@@ -1,0 +1,191 @@
+//! The step of an FMU, and what each status of `fmi2DoStep` means (FMI 2.0 §2.1.3, §4.2.2).
+
+use std::ptr;
+use std::time::{Duration, Instant};
+
+use super::binding::{
+    DISCARD, DO_STEP_STATUS, FmuState, LAST_SUCCESSFUL_TIME, OK, PENDING, Status, TERMINATED,
+    WARNING,
+};
+use super::instance::FmuInstance;
+use crate::unit::UnitError;
+
+/// Wall time after which an FMU that steps in the background is given up.
+const LONGEST_WAIT: Duration = Duration::from_secs(60);
+/// Wall time between two questions whether such a step has ended.
+const WAIT: Duration = Duration::from_micros(50);
+/// A discarded step is tried again in two, four, … up to so many parts.
+const MOST_PARTS: u32 = 16;
+
+/// What became of a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    Done,
+    Discarded,
+}
+
+/// The state of an instance before a step.
+#[derive(Default)]
+pub(super) struct StateSlot(pub(super) Option<FmuState>);
+
+impl FmuInstance {
+    /// Takes the instance from `time` over `length`, s. A step that the FMU discards is done in
+    /// parts if that was asked for and the FMU allows it.
+    pub(super) fn step_or_retry(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
+        if self.retries {
+            self.save()?;
+        }
+        match self.do_step(time, length)? {
+            Outcome::Done => Ok(()),
+            Outcome::Discarded if self.retries => self.retry(time, length),
+            Outcome::Discarded => Err(self.discarded(time, length, "")),
+        }
+    }
+
+    fn retry(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
+        let mut parts = 2;
+        while parts <= MOST_PARTS {
+            self.restore()?;
+            if self.step_in_parts(time, length, parts)? == Outcome::Done {
+                return Ok(());
+            }
+            parts *= 2;
+        }
+        Err(self.discarded(time, length, ", also in 16 parts"))
+    }
+
+    fn step_in_parts(&mut self, time: f64, length: f64, parts: u32) -> Result<Outcome, UnitError> {
+        let part = length / f64::from(parts);
+        for i in 0..parts {
+            if self.do_step(time + f64::from(i) * part, part)? == Outcome::Discarded {
+                return Ok(Outcome::Discarded);
+            }
+        }
+        Ok(Outcome::Done)
+    }
+
+    fn do_step(&mut self, time: f64, length: f64) -> Result<Outcome, UnitError> {
+        let detail = |_: &Self| format!(" from {time} s by {length} s");
+        let mut status = self.status_of(
+            c"fmi2DoStep",
+            // SAFETY: the instance is alive.
+            |f, c| unsafe { (f.do_step)(c, time, length, 1) },
+            detail,
+        )?;
+        if status == PENDING {
+            status = self.wait()?;
+        }
+        match status {
+            OK => Ok(Outcome::Done),
+            WARNING => {
+                self.note_warning(&format!("fmi2DoStep{}", detail(self)));
+                Ok(Outcome::Done)
+            }
+            DISCARD => Ok(Outcome::Discarded),
+            status => Err(self.failed(c"fmi2DoStep", detail, status)),
+        }
+    }
+
+    /// Waits for a step that runs in the background, though its FMU was given no function to tell
+    /// the end: it is asked, for a bounded time.
+    fn wait(&mut self) -> Result<Status, UnitError> {
+        let begin = Instant::now();
+        loop {
+            let mut of_step = PENDING;
+            let answer = self.status_of(
+                c"fmi2GetStatus",
+                // SAFETY: the instance is alive, and there is room for one status.
+                |f, c| unsafe { (f.get_status)(c, DO_STEP_STATUS, &raw mut of_step) },
+                |_| " of a pending fmi2DoStep".to_owned(),
+            )?;
+            if answer != OK {
+                return Err(self.failed(c"fmi2GetStatus", |_| " of a pending step".into(), answer));
+            }
+            if of_step != PENDING {
+                return Ok(of_step);
+            }
+            if begin.elapsed() > LONGEST_WAIT {
+                // SAFETY: the instance is alive.
+                let _ = self.status_of(
+                    c"fmi2CancelStep",
+                    |f, c| unsafe { (f.cancel_step)(c) },
+                    |_| String::new(),
+                )?;
+                let detail = |_: &Self| ", pending for more than 60 s,".to_owned();
+                return Err(self.failed(c"fmi2DoStep", detail, PENDING));
+            }
+            std::thread::sleep(WAIT);
+        }
+    }
+
+    /// The error of a step that was not done, with the time until which it came.
+    fn discarded(&mut self, time: f64, length: f64, tried: &str) -> UnitError {
+        let reached = match self.last_successful_time() {
+            Some(reached) => format!(", done until {reached} s,"),
+            None => String::new(),
+        };
+        let end = if self.wants_to_end() { " (the FMU wants the simulation to end)" } else { "" };
+        let detail = |_: &Self| format!(" from {time} s by {length} s{tried}{reached}{end}");
+        self.failed(c"fmi2DoStep", detail, DISCARD)
+    }
+
+    /// The time until which a discarded step came, if the FMU says so.
+    fn last_successful_time(&mut self) -> Option<f64> {
+        let mut time = f64::NAN;
+        let status = self.status_of(
+            c"fmi2GetRealStatus",
+            // SAFETY: the instance is alive after fmi2Discard, and the FMU writes one number.
+            |f, c| unsafe { (f.get_real_status)(c, LAST_SUCCESSFUL_TIME, &raw mut time) },
+            |_| String::new(),
+        );
+        (status == Ok(OK) && time.is_finite()).then_some(time)
+    }
+
+    /// Whether the FMU has discarded a step to end the simulation.
+    fn wants_to_end(&mut self) -> bool {
+        let mut terminated = 0;
+        let status = self.status_of(
+            c"fmi2GetBooleanStatus",
+            // SAFETY: the instance is alive after fmi2Discard, and the FMU writes one number.
+            |f, c| unsafe { (f.get_boolean_status)(c, TERMINATED, &raw mut terminated) },
+            |_| String::new(),
+        );
+        status == Ok(OK) && terminated != 0
+    }
+
+    /// Saves the instance into its slot.
+    fn save(&mut self) -> Result<(), UnitError> {
+        let mut state = self.slot.0.unwrap_or(FmuState(ptr::null_mut()));
+        // SAFETY: the state is null or one that this FMU gave, which it reuses.
+        let save =
+            |f: &super::binding::Functions, c| unsafe { (f.get_fmu_state)(c, &raw mut state.0) };
+        self.call(c"fmi2GetFMUstate", save, |_| String::new())?;
+        self.slot.0 = Some(state);
+        Ok(())
+    }
+
+    /// Sets the instance back to what its slot holds.
+    fn restore(&mut self) -> Result<(), UnitError> {
+        let Some(state) = self.slot.0 else { return Ok(()) };
+        self.call(
+            c"fmi2SetFMUstate",
+            // SAFETY: the state is one that this FMU gave.
+            |f, c| unsafe { (f.set_fmu_state)(c, state.0) },
+            |_| String::new(),
+        )
+    }
+
+    /// Gives the saved state back to the FMU.
+    pub(super) fn free_state(&mut self) {
+        if let Some(mut state) = self.slot.0.take()
+            && !self.component_is_lost()
+        {
+            // SAFETY: the state is one that this FMU gave, and it is not used again.
+            let _ = self.status_of(
+                c"fmi2FreeFMUstate",
+                |f, c| unsafe { (f.free_fmu_state)(c, &raw mut state.0) },
+                |_| String::new(),
+            );
+        }
+    }
+}

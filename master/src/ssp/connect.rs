@@ -1,0 +1,61 @@
+//! From the connections of nested systems to those between FMUs.
+
+use std::collections::HashMap;
+
+use super::structure::{Connection, ConnectorKind, Endpoint, Structure};
+use crate::si::Linear;
+
+/// A connection as a system states it: either end may be a connector of a system, whose element
+/// is then the system's full name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Edge {
+    /// Where the value comes from.
+    pub from: Endpoint,
+    /// Where it goes.
+    pub to: Endpoint,
+    /// What is done to it.
+    pub transformation: Linear,
+    /// Whether units are converted.
+    pub convert_units: bool,
+}
+
+/// Follows every component's inputs back to the component that gives the value. An input that
+/// leads to the outermost system is not connected.
+pub fn trace(edges: &[Edge], structure: &Structure) -> Vec<Connection> {
+    let giver: HashMap<&Endpoint, &Edge> = edges.iter().map(|edge| (&edge.to, edge)).collect();
+    let mut connections = vec![];
+    for component in &structure.components {
+        for connector in &component.connectors {
+            let takes = matches!(connector.kind, ConnectorKind::Input | ConnectorKind::Parameter);
+            let to =
+                Endpoint { element: component.name.clone(), connector: connector.name.clone() };
+            if let Some(connection) = takes.then(|| back(to, &giver, structure)).flatten() {
+                connections.push(connection);
+            }
+        }
+    }
+    connections
+}
+
+/// The connection to an input, through the connectors of systems in between.
+fn back(
+    to: Endpoint,
+    giver: &HashMap<&Endpoint, &Edge>,
+    structure: &Structure,
+) -> Option<Connection> {
+    let mut at = &to;
+    let mut transformation = Linear::IDENTITY;
+    let mut convert_units = true;
+    // Hierarchy is finite, but a file may connect a system's connectors in a circle.
+    for _ in 0..giver.len() {
+        let edge = giver.get(at)?;
+        transformation = edge.transformation.then(transformation);
+        convert_units &= edge.convert_units;
+        if structure.component(&edge.from.element).is_some() {
+            let from = edge.from.clone();
+            return Some(Connection { from, to, transformation, convert_units });
+        }
+        at = &edge.from;
+    }
+    None
+}

@@ -1,0 +1,33 @@
+//! Systems of FMUs in packages of SSP 1.0 (System Structure and Parameterization).
+//!
+//! | file | part |
+//! |---|---|
+//! | `structure.rs` | what a system structure says |
+//! | `read.rs`, `connect.rs`, `parameters.rs`, `xml.rs` | from the files of a package to it |
+//! | `write.rs` | from it to a file that other tools accept |
+//! | `export.rs` | a scenario's train as a package |
+//! | `wire.rs`, `exchange.rs` | from a structure to instances of FMUs with what flows between them |
+//! | `system.rs` | initialisation and steps, all units from the last exchange |
+//! | `record.rs`, `run.rs` | a run from a package to the results folder |
+//! | `error.rs` | what can be wrong |
+
+mod connect;
+mod error;
+mod exchange;
+mod export;
+mod parameters;
+mod read;
+mod record;
+mod run;
+mod structure;
+mod system;
+mod wire;
+mod write;
+mod xml;
+
+#[cfg(test)]
+mod tests;
+
+pub use error::SspError;
+pub use export::export;
+pub use run::{SystemOptions, run};

@@ -1,0 +1,253 @@
+//! Reads `SystemStructure.ssd` of SSP 1.0: the package's structure, with nested systems made
+//! flat.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use roxmltree::Node;
+
+use super::connect::{self, Edge};
+use super::error::{SspError, io_error};
+use super::parameters;
+use super::structure::{Component, Connector, ConnectorKind, Endpoint, Structure};
+use super::xml::{XmlFile, child, children, listed};
+use crate::si::{Dimension, Linear, SiUnit};
+
+/// Name of the default structure in a package.
+pub const STRUCTURE_FILE: &str = "SystemStructure.ssd";
+
+/// MIME type of a component that is an FMU, the default.
+pub const FMU_TYPE: &str = "application/x-fmu-sharedlibrary";
+
+/// Reads the structure in the folder of an unpacked package.
+///
+/// # Errors
+/// When a file is missing or not as SSP 1.0 wants it.
+pub fn read(package: &Path) -> Result<Structure, SspError> {
+    let path = package.join(STRUCTURE_FILE);
+    let text = std::fs::read_to_string(&path).map_err(io_error(&path))?;
+    let file = XmlFile::parse(STRUCTURE_FILE, &text)?;
+    let root = file.document.root_element();
+    let system = child(root, "System")
+        .ok_or_else(|| file.wrong(root, "there is no element System".to_owned()))?;
+    let mut structure = Structure {
+        name: file.required(root, "name")?.to_owned(),
+        units: units(&file, root)?,
+        ..Structure::default()
+    };
+    if let Some(experiment) = child(root, "DefaultExperiment") {
+        structure.start = file.value(experiment, "startTime")?;
+        structure.stop = file.value(experiment, "stopTime")?;
+        structure.step = step(&file, experiment)?;
+    }
+    let mut reader = Reader { file: &file, package, structure, edges: vec![] };
+    reader.system(system, "")?;
+    let Reader { mut structure, edges, .. } = reader;
+    structure.connections = connect::trace(&edges, &structure);
+    Ok(structure)
+}
+
+/// The step that libcosim's annotation of the experiment names; SSP 1.0 itself has no place
+/// for it.
+fn step(file: &XmlFile<'_>, experiment: Node<'_, '_>) -> Result<Option<f64>, SspError> {
+    let algorithm =
+        experiment.descendants().find(|node| node.tag_name().name() == "FixedStepAlgorithm");
+    algorithm.map_or(Ok(None), |node| file.value(node, "baseStepSize"))
+}
+
+struct Reader<'r, 't> {
+    file: &'r XmlFile<'t>,
+    package: &'r Path,
+    structure: Structure,
+    edges: Vec<Edge>,
+}
+
+impl Reader<'_, '_> {
+    /// Takes in a system, whose elements get names that begin with `prefix`.
+    fn system(&mut self, system: Node<'_, '_>, prefix: &str) -> Result<(), SspError> {
+        let mut kinds = HashMap::new();
+        for connector in self.connectors(system)? {
+            kinds.insert((None, connector.name), connector.kind);
+        }
+        for element in child(system, "Elements").into_iter().flat_map(|list| list.children()) {
+            match element.tag_name().name() {
+                "" => continue,
+                "Component" => self.component(element, prefix)?,
+                "System" => {
+                    let name = self.file.required(element, "name")?;
+                    self.system(element, &format!("{prefix}{name}."))?;
+                }
+                other => {
+                    let message = format!(
+                        "element {other} is not supported; Hotfoot runs Component and System"
+                    );
+                    return Err(self.file.wrong(element, message));
+                }
+            }
+            let name = self.file.required(element, "name")?;
+            for connector in self.connectors(element)? {
+                kinds.insert((Some(name.to_owned()), connector.name), connector.kind);
+            }
+        }
+        for connection in listed(system, "Connections", "Connection") {
+            self.connection(connection, prefix, &kinds)?;
+        }
+        for parameter in parameters::bindings(self.file, self.package, system)? {
+            self.parameter_of_system(parameter, prefix);
+        }
+        Ok(())
+    }
+
+    /// A parameter that is bound at a system belongs to the element that its name begins with.
+    fn parameter_of_system(&mut self, mut parameter: super::structure::Parameter, prefix: &str) {
+        let full = format!("{prefix}{}", parameter.name);
+        let of_component = self.structure.components.iter_mut().find_map(|component| {
+            let variable = full.strip_prefix(&component.name)?.strip_prefix('.')?.to_owned();
+            Some((component, variable))
+        });
+        if let Some((component, variable)) = of_component {
+            parameter.name = variable;
+            component.parameters.push(parameter);
+        }
+    }
+
+    fn component(&mut self, node: Node<'_, '_>, prefix: &str) -> Result<(), SspError> {
+        let kind = node.attribute("type").unwrap_or(FMU_TYPE);
+        if kind != FMU_TYPE {
+            let message = format!("a component of type {kind} is not supported; Hotfoot runs FMUs");
+            return Err(self.file.wrong(node, message));
+        }
+        let component = Component {
+            name: format!("{prefix}{}", self.file.required(node, "name")?),
+            source: self.file.required(node, "source")?.to_owned(),
+            connectors: self.connectors(node)?,
+            parameters: parameters::bindings(self.file, self.package, node)?,
+        };
+        if self.structure.component(&component.name).is_some() {
+            let message = format!("there are two components with the name '{}'", component.name);
+            return Err(self.file.wrong(node, message));
+        }
+        self.structure.components.push(component);
+        Ok(())
+    }
+
+    fn connectors(&self, element: Node<'_, '_>) -> Result<Vec<Connector>, SspError> {
+        let connector = |node| {
+            let kind = match self.file.required(node, "kind")? {
+                "input" => ConnectorKind::Input,
+                "output" => ConnectorKind::Output,
+                "parameter" => ConnectorKind::Parameter,
+                "calculatedParameter" => ConnectorKind::CalculatedParameter,
+                other => {
+                    let message = format!(
+                        "kind=\"{other}\" of a connector; known are input, output, parameter and \
+                         calculatedParameter"
+                    );
+                    return Err(self.file.wrong(node, message));
+                }
+            };
+            Ok(Connector {
+                name: self.file.required(node, "name")?.to_owned(),
+                kind,
+                unit: child(node, "Real")
+                    .and_then(|real| real.attribute("unit"))
+                    .map(str::to_owned),
+            })
+        };
+        listed(element, "Connectors", "Connector").map(connector).collect()
+    }
+
+    fn connection(
+        &mut self,
+        node: Node<'_, '_>,
+        prefix: &str,
+        kinds: &HashMap<(Option<String>, String), ConnectorKind>,
+    ) -> Result<(), SspError> {
+        let end = |element: &str, connector: &str| {
+            let element = node.attribute(element);
+            let connector = self.file.required(node, connector)?;
+            let key = (element.map(str::to_owned), connector.to_owned());
+            let kind = kinds.get(&key).ok_or_else(|| {
+                let of = element.map_or("the system".to_owned(), |name| format!("'{name}'"));
+                self.file.wrong(node, format!("{of} has no connector '{connector}'"))
+            })?;
+            // A connector of the system itself gives inside what it takes outside.
+            let gives = matches!(kind, ConnectorKind::Output | ConnectorKind::CalculatedParameter)
+                == element.is_some();
+            let element = match element {
+                Some(element) => format!("{prefix}{element}"),
+                None => prefix.trim_end_matches('.').to_owned(),
+            };
+            Ok::<_, SspError>((Endpoint { element, connector: connector.to_owned() }, gives))
+        };
+        let (start, start_gives) = end("startElement", "startConnector")?;
+        let (stop, stop_gives) = end("endElement", "endConnector")?;
+        if start_gives == stop_gives {
+            let message = format!(
+                "'{}' and '{}' are connected, but one must give values and the other take them",
+                start.connector, stop.connector
+            );
+            return Err(self.file.wrong(node, message));
+        }
+        let (from, to) = if start_gives { (start, stop) } else { (stop, start) };
+        let suppressed: Option<bool> = self.file.value(node, "suppressUnitConversion")?;
+        self.edges.push(Edge {
+            from,
+            to,
+            transformation: transformation(self.file, node)?,
+            convert_units: suppressed != Some(true),
+        });
+        Ok(())
+    }
+}
+
+/// The linear transformation of a connection or of a mapping.
+///
+/// # Errors
+/// When there is a transformation of another kind, or its numbers are none.
+pub fn transformation(file: &XmlFile<'_>, node: Node<'_, '_>) -> Result<Linear, SspError> {
+    let other = node.children().find(|child| {
+        let name = child.tag_name().name();
+        name.ends_with("MappingTransformation")
+    });
+    if let Some(other) = other {
+        let message = format!(
+            "{} is not supported; Hotfoot knows LinearTransformation",
+            other.tag_name().name()
+        );
+        return Err(file.wrong(other, message));
+    }
+    let Some(linear) = child(node, "LinearTransformation") else {
+        return Ok(Linear::IDENTITY);
+    };
+    Ok(Linear {
+        factor: file.value(linear, "factor")?.unwrap_or(1.0),
+        offset: file.value(linear, "offset")?.unwrap_or(0.0),
+    })
+}
+
+/// The units that a structure or parameter set defines.
+///
+/// # Errors
+/// When an attribute is wrong.
+pub fn units(file: &XmlFile<'_>, root: Node<'_, '_>) -> Result<HashMap<String, SiUnit>, SspError> {
+    let mut units = HashMap::new();
+    for unit in listed(root, "Units", "Unit") {
+        let Some(base) = children(unit, "BaseUnit").next() else { continue };
+        let mut exponents = [0; 7];
+        for (exponent, symbol) in exponents.iter_mut().zip(["kg", "m", "s", "A", "K", "mol", "cd"])
+        {
+            *exponent = file.value(base, symbol)?.unwrap_or(0);
+        }
+        let to_base = Linear {
+            factor: file.value(base, "factor")?.unwrap_or(1.0),
+            offset: file.value(base, "offset")?.unwrap_or(0.0),
+        };
+        if !to_base.factor.is_normal() {
+            return Err(file.wrong(base, "the factor of a unit must not be zero"));
+        }
+        let si = SiUnit { dimension: Dimension(exponents), to_base };
+        units.insert(file.required(unit, "name")?.to_owned(), si);
+    }
+    Ok(units)
+}
