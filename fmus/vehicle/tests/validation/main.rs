@@ -4,11 +4,13 @@
 //! | file | what |
 //! |---|---|
 //! | `reference_set.rs` | the representative Co-Co locomotive against independent figures |
+//! | `contacts.rs` | several contacts a wheel, wheels off their rails |
 //! | `vehicles.rs` | all vehicles of the stock library; the track under them; critical speeds |
 //! | `acceptance.rs` | the acceptance scenarios |
 //! | `common.rs` | vehicles and tracks of the tests |
 
 mod acceptance;
 mod common;
+mod contacts;
 mod reference_set;
 mod vehicles;
