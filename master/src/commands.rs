@@ -67,9 +67,9 @@ pub struct PackArguments {
     /// Folder with the experiment whose result the FMU shall carry as a self-test
     #[arg(long)]
     reference: Option<PathBuf>,
-    /// Text in Markdown with the equations, for the documentation
+    /// Text in Markdown with equations, for the documentation; several follow one another
     #[arg(long)]
-    theory: Option<PathBuf>,
+    theory: Vec<PathBuf>,
     /// FMU to write
     #[arg(long, short)]
     output: PathBuf,
@@ -207,8 +207,8 @@ pub fn pack(arguments: &PackArguments) -> Result<()> {
         false => Binary::Library(&arguments.binary),
     };
     pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()?;
-    if let Some(theory) = &arguments.theory {
-        pack::add_equations(&arguments.output, theory).into_diagnostic()?;
+    if !arguments.theory.is_empty() {
+        pack::add_equations(&arguments.output, &arguments.theory).into_diagnostic()?;
     }
     match &arguments.reference {
         Some(reference) => reference::pack(&arguments.output, reference).into_diagnostic(),

@@ -80,13 +80,14 @@ pub fn pack(binary: Binary<'_>, resources: &Path, target: &Path) -> Result<(), P
     Ok(archive::pack(&content, target)?)
 }
 
-/// Adds the equations of the model, a text in Markdown, to the documentation of an FMU. An FMU
+/// Adds the equations of the model, texts in Markdown, to the documentation of an FMU. An FMU
 /// that is packed from this one has them too.
 ///
 /// # Errors
-/// When the text or the FMU cannot be read or written.
-pub fn add_equations(fmu: &Path, markdown: &Path) -> Result<(), PackError> {
-    let text = fs::read_to_string(markdown).map_err(io_error(markdown))?;
+/// When a text or the FMU cannot be read or written.
+pub fn add_equations(fmu: &Path, texts: &[PathBuf]) -> Result<(), PackError> {
+    let read = |file: &PathBuf| fs::read_to_string(file).map_err(io_error(file));
+    let text = texts.iter().map(read).collect::<Result<Vec<_>, _>>()?.join("\n");
     let folder = tempfile::tempdir().map_err(io_error(fmu))?;
     archive::unpack(fmu, folder.path())?;
     let index = folder.path().join(INDEX);

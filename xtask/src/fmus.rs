@@ -6,18 +6,23 @@ use anyhow::{Context, Result, bail};
 
 use crate::shell::{cargo, hotfoot, output, run, target};
 
-/// The models that become FMUs.
-const MODELS: [&str; 4] = ["vehicle", "longitudinal", "railheat", "synchronisation"];
+/// The models that become FMUs, with their equations in `docs/theory`.
+const MODELS: [(&str, &[&str]); 4] = [
+    ("vehicle", &["vehicle.md", "contact.md"]),
+    ("longitudinal", &["longitudinal.md"]),
+    ("railheat", &["railheat/README.md", "railheat/paper.md", "railheat/energy.md"]),
+    ("synchronisation", &["synchronisation.md"]),
+];
 
 /// Builds the programs and the FMUs' binaries in release, and packs the FMUs into `target/fmus`:
 /// those that have default resources, with them and the stock library.
 pub fn build() -> Result<()> {
-    let packages = MODELS.iter().flat_map(|model| ["-p".to_owned(), format!("{model}-fmu")]);
+    let packages = MODELS.iter().flat_map(|(model, _)| ["-p".to_owned(), format!("{model}-fmu")]);
     let programs = ["-p", "hotfoot", "-p", "hotfoot-tools"];
     run(cargo().args(["build", "--release"]).args(programs).args(packages))?;
     let folder = target().join("fmus");
     std::fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
-    for model in MODELS {
+    for (model, theory) in MODELS {
         let library = format!(
             "release/{}{model}_fmu{}",
             std::env::consts::DLL_PREFIX,
@@ -29,7 +34,9 @@ pub fn build() -> Result<()> {
         if resources.exists() {
             pack.arg("--resources").arg(resources).args(["--stock", "stock"]);
         }
-        pack.arg("--theory").arg(format!("docs/theory/{model}.md"));
+        for text in theory {
+            pack.arg("--theory").arg(Path::new("docs/theory").join(text));
+        }
         pack.arg("--reference").arg(format!("fmus/{model}/reference"));
         run(pack.arg("--output").arg(fmu(model)))?;
     }
@@ -43,7 +50,7 @@ pub fn fmu(model: &str) -> PathBuf {
 
 /// Writes the model descriptions of the packed FMUs into `modelDescription`.
 pub fn write_model_descriptions() -> Result<()> {
-    for model in MODELS {
+    for (model, _) in MODELS {
         let file = published(model);
         std::fs::write(&file, model_description(model)?)
             .with_context(|| file.display().to_string())?;
@@ -53,7 +60,7 @@ pub fn write_model_descriptions() -> Result<()> {
 
 /// Fails if a published model description differs from that of the packed FMU.
 pub fn check_model_descriptions() -> Result<()> {
-    for model in MODELS {
+    for (model, _) in MODELS {
         let file = published(model);
         let text = std::fs::read_to_string(&file).with_context(|| file.display().to_string())?;
         if text != model_description(model)? {
