@@ -80,14 +80,15 @@ fn property_a_rail_does_not_know_the_other() {
 
 /// Three trains leave three times the friction heat of one, at the probe and in all, to rounding;
 /// the rail's time goes on after the last of them, in which no friction is added, heat comes to the
-/// foot, and the audit closes.
+/// foot, and the audit closes. Without sun, whose light the trains would keep off.
 #[test]
 fn analytic_three_trains_leave_three_times_the_heat_and_the_foot_warms_after_them() {
-    let one = scenario("", "");
+    let overcast = "\"solar.irradiance\" = 0.0";
+    let one = scenario("", overcast);
     one.run_well(&[]);
     let three = scenario(
         "trains = { count = 3, headway_minutes = 2.0 }\ncool_down_minutes = 10.0\ncool_down_step_s = 30.0",
-        "",
+        overcast,
     );
     three.run_well(&[]);
     let (one, three) = (Rail::of(&one, "left"), Rail::of(&three, "left"));
