@@ -60,7 +60,7 @@ impl Untouched {
         }
     }
 
-    /// Takes the rail over a time in s in equal steps of at most [`LONGEST`].
+    /// Takes the rail over a time in s in equal steps of at most 10 s.
     pub fn step(
         &mut self,
         state: &mut State,
