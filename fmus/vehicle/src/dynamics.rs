@@ -313,9 +313,9 @@ impl Dynamics {
                 drive,
                 step,
             };
-            let (wheels, brake) =
-                wheelset.run(&mut self.state.bodies[data.body], &mut self.state.account);
-            self.wheels[i] = wheels;
+            let state = &mut self.state;
+            let body = &mut state.bodies[data.body];
+            let brake = wheelset.run(body, &mut self.wheels[i], &mut state.account);
             self.wrenches[data.frame].moment.y -= drive.torque + brake;
         }
     }

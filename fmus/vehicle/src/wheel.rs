@@ -1,5 +1,6 @@
 //! One wheel on its rail: the contacts in which it touches.
 
+use arrayvec::ArrayVec;
 use contact::{CreepLaw, GeometryTable};
 
 use crate::body::BodyState;
@@ -52,11 +53,12 @@ pub enum Standing {
 }
 
 /// A wheel at one place.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Wheel {
-    patches: [Patch; PATCHES],
-    count: usize,
+    patches: ArrayVec<Patch, PATCHES>,
     beyond: bool,
+    /// Place on the rail head of the contact that is nearest, where none presses, m.
+    nearest: f64,
 }
 
 impl Wheel {
@@ -66,8 +68,8 @@ impl Wheel {
         // Eq. 16: shift towards the flange.
         let shift = side.sign() * (state.position.y - data.radius * state.rotation.x);
         let yaw_squared = state.rotation.z * state.rotation.z;
-        let mut wheel = Self { patches: Default::default(), count: 0, beyond: false };
-        let mut nearest: Option<Patch> = None;
+        let mut wheel = Self::default();
+        let mut least_gap = f64::INFINITY;
         for number in 0..table.patches() {
             let Some(point) = table.patch(number, shift, yaw_squared) else {
                 continue;
@@ -75,14 +77,11 @@ impl Wheel {
             let patch = Patch::new(number, point, side, data, state);
             wheel.beyond |= point.beyond;
             if patch.elastic_force > 0.0 {
-                wheel.patches[wheel.count] = patch;
-                wheel.count += 1;
-            } else if nearest.is_none_or(|nearest| patch.approach > nearest.approach) {
-                nearest = Some(patch);
+                wheel.patches.push(patch);
+            } else if -patch.approach < least_gap {
+                least_gap = -patch.approach;
+                wheel.nearest = patch.rail_lateral();
             }
-        }
-        if let (0, Some(nearest)) = (wheel.count, nearest) {
-            wheel.patches[0] = nearest;
         }
         wheel
     }
@@ -91,7 +90,7 @@ impl Wheel {
     /// `speed` is that of travel.
     #[inline]
     pub fn load(&mut self, data: &WheelData, creep: &CreepLaw, velocities: &Six, speed: f64) {
-        for patch in &mut self.patches[..self.count] {
+        for patch in &mut self.patches {
             patch.load(data.damping, creep, velocities, speed);
         }
     }
@@ -99,20 +98,20 @@ impl Wheel {
     /// The contacts that press.
     #[inline]
     pub fn patches(&self) -> &[Patch] {
-        &self.patches[..self.count]
+        &self.patches
     }
 
-    /// A contact that presses, or the nearest one of a lifted wheel.
-    pub fn nearest(&self) -> &Patch {
-        &self.patches[0]
+    /// Place on the rail head of the nearest contact of a lifted wheel, m.
+    pub fn nearest(&self) -> f64 {
+        self.nearest
     }
 
     /// How the wheel stands.
     pub fn standing(&self) -> Standing {
-        match (self.beyond, self.count) {
+        match (self.beyond, self.patches.is_empty()) {
             (true, _) => Standing::Derailed,
-            (false, 0) => Standing::Lifted,
-            (false, _) => Standing::OnRail,
+            (false, true) => Standing::Lifted,
+            (false, false) => Standing::OnRail,
         }
     }
 }

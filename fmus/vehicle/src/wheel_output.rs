@@ -121,10 +121,12 @@ pub struct Heat {
 }
 
 impl WheelOutput {
-    /// The wheel at the end of a step, and the heat by the velocities in its middle.
-    pub fn new(wheel: &Wheel, motion: &Motion) -> (Self, Heat) {
+    /// Becomes the wheel at the end of a step; gives the heat by the velocities in its middle. (In
+    /// place, as copying it took a good part of a step.)
+    pub fn take(&mut self, wheel: &Wheel, motion: &Motion) -> Heat {
         let middle = motion.middle();
-        let (mut output, mut heat) = (Self::default(), Heat::default());
+        let mut heat = Heat::default();
+        *self = Self::default();
         let mut weights = 0.0;
         for patch in wheel.patches().iter().filter(|patch| patch.forces.normal > 0.0) {
             let end = EndForces::new(patch, &motion.change);
@@ -132,21 +134,21 @@ impl WheelOutput {
             heat.damping += (end.normal - patch.elastic_force) * dot(&patch.normal, &middle);
             let shown = patch_output(patch, &end, motion);
             let weight = shown.friction_power.max(0.0) + LEAST_POWER * shown.normal;
-            output.add(&shown, weight);
+            self.add(&shown, weight);
             weights += weight;
-            output.guiding += patch.across(end.lateral, end.normal);
-            output.vertical += patch.upwards(end.lateral, end.normal);
-            output.patches[patch.number] = shown;
+            self.guiding += patch.across(end.lateral, end.normal);
+            self.vertical += patch.upwards(end.lateral, end.normal);
+            self.patches[patch.number] = shown;
         }
         let elastic = wheel.patches().iter().map(Patch::elastic_energy);
-        output.elastic_energy = elastic.sum();
-        output.standing = wheel.standing();
+        self.elastic_energy = elastic.sum();
+        self.standing = wheel.standing();
         if weights > 0.0 {
-            output.divide(weights);
+            self.divide(weights);
         } else {
-            output.rail_lateral = wheel.nearest().rail_lateral();
+            self.rail_lateral = wheel.nearest();
         }
-        (output, heat)
+        heat
     }
 
     /// Adds a contact, with `weight` in the means.

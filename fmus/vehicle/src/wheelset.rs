@@ -39,37 +39,42 @@ pub struct WheelsetStep<'a> {
 }
 
 impl WheelsetStep<'_> {
-    /// Changes the velocities of `state`; gives the outputs of both wheels and the torque with
-    /// which the brake holds the wheelset.
-    pub fn run(&self, state: &mut BodyState, account: &mut Account) -> ([WheelOutput; 2], f64) {
+    /// Changes the velocities of `state` and the outputs of both wheels; gives the torque with which
+    /// the brake holds the wheelset.
+    pub fn run(
+        &self,
+        state: &mut BodyState,
+        outputs: &mut [WheelOutput; 2],
+        account: &mut Account,
+    ) -> f64 {
         let before = six::join(&state.velocity, &state.angular_velocity);
         let carrier = self.frame_velocities(state);
         let against = difference(&before, &carrier);
-        let speed = state.velocity.x;
-        let rails = [(Side::Left, &self.rails[0]), (Side::Right, &self.rails[1])];
-        let wheels = rails.map(|(side, rail)| {
+        let loaded = |side, rail: &RailMotion| {
             let seen = rail.seen_from(state);
             let mut wheel = Wheel::new(side, &self.data.wheel, &self.data.table, &seen);
-            wheel.load(&self.data.wheel, self.creep, &rail.against(&against), speed);
+            let against = rail.against(&against);
+            wheel.load(&self.data.wheel, self.creep, &against, state.velocity.x);
             wheel
-        });
+        };
+        let left = loaded(Side::Left, &self.rails[0]);
+        let right = loaded(Side::Right, &self.rails[1]);
 
         let drive = self.drive.linearised(before[4]);
-        let change = self.solve(&wheels, &drive);
+        let change = self.solve([&left, &right], &drive);
 
         let after: Six = std::array::from_fn(|i| before[i] + change[i]);
         (state.velocity, state.angular_velocity) = six::split(&after);
         let end = difference(&after, &carrier);
-        let outputs = [0, 1].map(|i| {
+        for (i, wheel) in [&left, &right].into_iter().enumerate() {
             let motion = Motion { change, after: self.rails[i].against(&end), speed: after[0] };
-            let (output, heat) = WheelOutput::new(&wheels[i], &motion);
+            let heat = outputs[i].take(wheel, &motion);
             account.friction_heat += self.step * heat.friction;
             account.contact_heat += self.step * heat.damping;
-            output
-        });
+        }
         let brake = drive.brake_torque(change[4]);
         self.drive.account(brake, before[4] + 0.5 * change[4], self.step, account);
-        (outputs, brake)
+        brake
     }
 
     /// Velocities of a wheelset that only follows a twisted track.
@@ -80,7 +85,7 @@ impl WheelsetStep<'_> {
     }
 
     /// Change of the six velocities (eq. 25).
-    fn solve(&self, wheels: &[Wheel; 2], drive: &DriveStep) -> Six {
+    fn solve(&self, wheels: [&Wheel; 2], drive: &DriveStep) -> Six {
         let (mass, inertia) = (self.body.mass, &self.body.inertia);
         let diagonal = [mass, mass, mass, inertia.x, inertia.y, inertia.z];
         let mut matrix: SixBySix = [[0.0; 6]; 6];
@@ -90,7 +95,7 @@ impl WheelsetStep<'_> {
         let mut right = six::join(&self.wrench.force, &self.wrench.moment);
         right[4] += drive.torque;
         matrix[4][4] += self.step * drive.damping;
-        for patch in wheels.iter().flat_map(Wheel::patches) {
+        for patch in wheels.into_iter().flat_map(Wheel::patches) {
             let forces = &patch.forces;
             let creep = &forces.creep;
             add_outer(&mut matrix, self.step * creep.damping, &patch.longitudinal);

@@ -20,6 +20,9 @@ use std::sync::OnceLock;
 /// Numbers of nodes over size, direction, part of the spin and shape.
 const NODES: [usize; 4] = [25, 9, 11, 9];
 
+/// Distances of neighbouring nodes over size, direction, part of the spin and shape.
+const STRIDES: [usize; 4] = [1, NODES[0], NODES[0] * NODES[1], NODES[0] * NODES[1] * NODES[2]];
+
 /// Largest m; beyond it all slips, and only the direction counts.
 const LARGEST: f64 = 30.0;
 
@@ -124,22 +127,20 @@ impl FastsimTable {
             index[k] = (place as usize).min(NODES[k] - 2);
             part[k] = place - index[k] as f64;
         }
-        let [size, direction, spin, shape] = index;
-        let along = |direction: usize, spin: usize, shape: usize| {
-            let row = ((shape * NODES[2] + spin) * NODES[1] + direction) * NODES[0] + size;
-            between(&self.nodes[row], &self.nodes[row + 1], part[0])
-        };
-        let across = |spin: usize, shape: usize| {
-            between(&along(direction, spin, shape), &along(direction + 1, spin, shape), part[1])
-        };
-        let flat = |shape: usize| between(&across(spin, shape), &across(spin + 1, shape), part[2]);
-        between(&flat(shape), &flat(shape + 1), part[3])
+        let mut ratios = [0.0; 8];
+        for corner in 0..16 {
+            let (mut node, mut weight) = (0, 1.0);
+            for k in 0..4 {
+                let upper = corner >> k & 1;
+                node += (index[k] + upper) * STRIDES[k];
+                weight *= if upper == 1 { part[k] } else { 1.0 - part[k] };
+            }
+            for (sum, value) in ratios.iter_mut().zip(&self.nodes[node]) {
+                *sum += weight * value;
+            }
+        }
+        ratios
     }
-}
-
-#[inline]
-fn between(a: &Node, b: &Node, part: f64) -> Node {
-    std::array::from_fn(|i| a[i] + part * (b[i] - a[i]))
 }
 
 /// The ratios at the node with these indices.
