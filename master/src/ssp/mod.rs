@@ -5,7 +5,7 @@
 //! | `structure.rs` | what a system structure says |
 //! | `read.rs`, `connect.rs`, `parameters.rs`, `xml.rs` | from the files of a package to it |
 //! | `write.rs` | from it to a file that other tools accept |
-//! | `export.rs` | a scenario's train as a package |
+//! | `export.rs`, `export_wiring.rs`, `export_parameters.rs`, `sources.rs` | a scenario's train as a package |
 //! | `wire.rs`, `exchange.rs` | from a structure to instances of FMUs with what flows between them |
 //! | `system.rs` | initialisation and steps, all units from the last exchange |
 //! | `record.rs`, `run.rs` | a run from a package to the results folder |
@@ -15,10 +15,13 @@ mod connect;
 mod error;
 mod exchange;
 mod export;
+mod export_parameters;
+mod export_wiring;
 mod parameters;
 mod read;
 mod record;
 mod run;
+mod sources;
 mod structure;
 mod system;
 mod wire;

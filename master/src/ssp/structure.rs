@@ -134,3 +134,34 @@ impl Component {
         self.connectors.iter().find(|connector| connector.name == name)
     }
 }
+
+impl Connection {
+    /// A connection that is converted as `way` says and not otherwise.
+    pub fn of(from: Endpoint, to: Endpoint, way: Linear) -> Self {
+        Self { from, to, transformation: way, convert_units: way.is_identity() }
+    }
+}
+
+impl Parameter {
+    /// A parameter without a unit.
+    pub fn new(name: &str, value: Value) -> Self {
+        Self { name: name.to_owned(), value, unit: None, si: None }
+    }
+}
+
+impl Structure {
+    /// Adds a connection and the connectors at its ends.
+    pub fn connect(&mut self, connection: Connection) {
+        let ends =
+            [(&connection.from, ConnectorKind::Output), (&connection.to, ConnectorKind::Input)];
+        for (end, kind) in ends {
+            let component = self.components.iter_mut().find(|c| c.name == end.element);
+            let Some(component) = component else { continue };
+            if component.connector(&end.connector).is_none() {
+                let name = end.connector.clone();
+                component.connectors.push(Connector { name, kind, unit: None });
+            }
+        }
+        self.connections.push(connection);
+    }
+}
