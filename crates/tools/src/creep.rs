@@ -61,7 +61,8 @@ pub struct CreepArguments {
     /// Speed, m/s
     #[arg(long, default_value_t = 10.0)]
     speed: f64,
-    /// Longitudinal creepages
+    /// Longitudinal creepages: slip of the wheel on the rail over the speed. All forces are those on
+    /// the wheel, and oppose the slip
     #[arg(long, value_delimiter = ',', default_value = "0", allow_hyphen_values = true)]
     longitudinal: Vec<f64>,
     /// Lateral creepages
