@@ -21,7 +21,7 @@ fn column(table: &(Vec<String>, Vec<Vec<String>>), name: &str) -> Vec<f64> {
 /// heat. The creep table is exact to 0.4 % there (`property_table_follows_the_march`).
 #[test]
 fn analytic_a_sliding_wheel_has_the_friction_force() {
-    let contact = ["--load", "100000", "--semi-axes-mm", "6,6", "--friction", "0.3"];
+    let contact = ["--load", "100000", "--semi-axes-mm", "6", "6", "--friction", "0.3"];
     let table =
         rows(&[&["creep", "--speed", "10", "--longitudinal", "0.5"], &contact[..]].concat());
     let force = column(&table, "force_longitudinal_n")[0];

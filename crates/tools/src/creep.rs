@@ -37,11 +37,11 @@ pub struct CreepArguments {
     #[arg(long)]
     load: f64,
     /// Semi-axes of the contact in the rolling direction and across, mm; or give --radii-m
-    #[arg(long, value_delimiter = ',', num_args = 2, conflicts_with = "radii_m")]
+    #[arg(long, num_args = 2, conflicts_with = "radii_m")]
     semi_axes_mm: Option<Vec<f64>>,
-    /// Relative radii of curvature in the rolling direction and across, m, such as 0.5,0.3 for a
+    /// Relative radii of curvature in the rolling direction and across, m, such as 0.5 0.3 for a
     /// wheel of 0.5 m radius with a straight tread on a rail head of 0.3 m
-    #[arg(long, value_delimiter = ',', num_args = 2)]
+    #[arg(long, num_args = 2)]
     radii_m: Option<Vec<f64>>,
     /// Friction coefficient without slip
     #[arg(long, default_value_t = 0.36)]
@@ -52,11 +52,11 @@ pub struct CreepArguments {
     /// How fast friction falls with the slip velocity, s/m
     #[arg(long, default_value_t = 0.0)]
     decay: f64,
-    /// Modified FASTSIM: k0, alpha and beta; 1,1,0 is FASTSIM
-    #[arg(long, value_delimiter = ',', num_args = 3, default_values_t = [1.0, 1.0, 0.0])]
+    /// Modified FASTSIM: k0, alpha and beta; 1 1 0 is FASTSIM
+    #[arg(long, num_args = 3, default_values_t = [1.0, 1.0, 0.0])]
     reduction: Vec<f64>,
     /// Polach: kA and kS
-    #[arg(long, value_delimiter = ',', num_args = 2, default_values_t = [1.0, 1.0])]
+    #[arg(long, num_args = 2, default_values_t = [1.0, 1.0])]
     factors: Vec<f64>,
     /// Speed, m/s
     #[arg(long, default_value_t = 10.0)]

@@ -101,7 +101,8 @@ impl Polach {
     fn stiffness(&self, patch: &ContactPatch, limit: f64, xi: f64, eta_c: f64) -> Stiffness {
         let area = patch.a * patch.b;
         let (c11, c22) = (patch.kalker.c11 * xi, patch.kalker.c22 * eta_c);
-        let least = patch.kalker.c22 * LEAST_CREEPAGE;
+        // The larger coefficient where nothing slips: then force over slip never rises with slip.
+        let least = patch.kalker.c11.max(patch.kalker.c22) * LEAST_CREEPAGE;
         let creepage_squared = xi * xi + eta_c * eta_c;
         let coefficient = ((c11 * c11 + c22 * c22 + least * least)
             / (creepage_squared + LEAST_CREEPAGE * LEAST_CREEPAGE))
