@@ -35,7 +35,7 @@ pub fn run_all() -> Result<()> {
 fn importer() -> Result<()> {
     let headers = output(Command::new("cc").arg("-print-file-name=include"))?;
     run(cargo()
-        .args(["test", "--manifest-path", "tests/interop/Cargo.toml"])
+        .args(["test", "--release", "--manifest-path", "tests/interop/Cargo.toml"])
         .env("CARGO_TARGET_DIR", target().join("interop"))
         .env("LIBCLANG_PATH", python::libclang()?)
         .env("BINDGEN_EXTRA_CLANG_ARGS", format!("-I{}", headers.trim()))
