@@ -14,8 +14,8 @@
 //! same table serves the left and the right wheel, and a mirrored pair of wheels gives mirrored
 //! numbers bit by bit.
 //!
-//! A step needs only [`GeometryTable::at`], [`ContactPoint::patch`] and [`CreepLaw::force`]; none of
-//! them allocates, locks or fails.
+//! A step needs only [`GeometryTable::patch`], [`PatchAt::point`], [`ContactPoint::pressed`] and
+//! [`CreepLaw::force`]; none of them allocates, locks or fails.
 
 mod creep;
 mod error;
@@ -34,7 +34,7 @@ pub use creep::{CreepForces, Creepages, REFERENCE_SPEED_MIN, SlipVelocity};
 pub use error::ContactError;
 pub use geometry::contact_point::{ContactPatch, ContactPoint};
 pub use geometry::pair::ProfilePair;
-pub use geometry::table::GeometryTable;
+pub use geometry::table::{GeometryTable, PatchAt, RowPlace};
 pub use geometry::wheelset::{WheelContact, WheelsetGeometry, wheelset_geometry};
 pub use material::{Material, STEEL};
 pub use profile::cone::Cone;
