@@ -4,11 +4,13 @@ use std::path::Path;
 
 use field::FieldReader;
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 use super::ReportError;
 use super::data::{Curve, RailField, ReportData, Snapshot, VehicleSeries};
 use super::facts::{EnergyLine, RunFacts};
 use super::{main_figures, rail_figures};
+use crate::file_error::FileError;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Column of the train in which the notch stands.
@@ -35,7 +37,7 @@ impl Results {
     pub fn open(folder: &Path) -> Result<Self, ReportError> {
         let series = folder.join("series");
         Ok(Self {
-            facts: facts(&folder.join("manifest.toml"))?,
+            facts: manifest::<Manifest>(folder)?.run,
             train: SeriesReader::open(&series, "train")?,
             vehicles: SeriesReader::open(&series, "vehicles")?,
         })
@@ -90,14 +92,11 @@ fn energy(facts: &RunFacts, train: &SeriesReader) -> Vec<EnergyLine> {
     facts.energy.iter().map(described).collect()
 }
 
-fn facts(file: &Path) -> Result<RunFacts, ReportError> {
-    let text = std::fs::read_to_string(file)
-        .map_err(|source| ReportError::File { file: file.to_owned(), source })?;
-    let manifest: Manifest = toml::from_str(&text).map_err(|source| ReportError::Manifest {
-        file: file.to_owned(),
-        source: Box::new(source),
-    })?;
-    Ok(manifest.run)
+/// Reads the parts of the manifest that `M` names.
+pub(super) fn manifest<M: DeserializeOwned>(folder: &Path) -> Result<M, ReportError> {
+    let file = folder.join("manifest.toml");
+    let text = std::fs::read_to_string(&file).map_err(FileError::at(&file))?;
+    toml::from_str(&text).map_err(|source| ReportError::Manifest { file, source: Box::new(source) })
 }
 
 fn vehicle(

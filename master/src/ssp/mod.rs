@@ -29,7 +29,9 @@ mod write;
 mod xml;
 
 #[cfg(test)]
-mod tests;
+mod structure_tests;
+#[cfg(test)]
+mod system_tests;
 
 pub use error::SspError;
 pub use export::export;
