@@ -36,6 +36,8 @@ mod system;
 mod write;
 
 #[cfg(test)]
+mod invented;
+#[cfg(test)]
 mod system_tests;
 #[cfg(test)]
 mod tests;
