@@ -4,13 +4,12 @@ use std::path::Path;
 
 use field::FieldReader;
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
 
 use super::ReportError;
 use super::data::{Curve, RailField, ReportData, Snapshot, VehicleSeries};
 use super::facts::{EnergyLine, RunFacts};
 use super::{main_figures, rail_figures};
-use crate::file_error::FileError;
+use crate::file_error::read_toml;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Column of the train in which the notch stands.
@@ -37,7 +36,7 @@ impl Results {
     pub fn open(folder: &Path) -> Result<Self, ReportError> {
         let series = folder.join("series");
         Ok(Self {
-            facts: manifest::<Manifest>(folder)?.run,
+            facts: read_toml::<Manifest>(&folder.join("manifest.toml"))?.run,
             train: SeriesReader::open(&series, "train")?,
             vehicles: SeriesReader::open(&series, "vehicles")?,
         })
@@ -90,13 +89,6 @@ fn energy(facts: &RunFacts, train: &SeriesReader) -> Vec<EnergyLine> {
         EnergyLine { name: description.unwrap_or(&line.name).to_owned(), joules: line.joules }
     };
     facts.energy.iter().map(described).collect()
-}
-
-/// Reads the parts of the manifest that `M` names.
-pub(super) fn manifest<M: DeserializeOwned>(folder: &Path) -> Result<M, ReportError> {
-    let file = folder.join("manifest.toml");
-    let text = std::fs::read_to_string(&file).map_err(FileError::at(&file))?;
-    toml::from_str(&text).map_err(|source| ReportError::Manifest { file, source: Box::new(source) })
 }
 
 fn vehicle(

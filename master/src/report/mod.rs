@@ -42,8 +42,6 @@ mod system_tests;
 #[cfg(test)]
 mod tests;
 
-use std::path::PathBuf;
-
 use crate::file_error::FileError;
 use crate::recording::RecordingError;
 
@@ -63,17 +61,9 @@ pub enum ReportError {
     /// The rail's field cannot be read.
     #[error(transparent)]
     Field(#[from] field::FieldError),
-    /// A file cannot be read or written.
+    /// A file cannot be read or written, or the manifest is not what a run writes.
     #[error(transparent)]
     File(#[from] FileError),
-    /// The manifest is not what a run writes.
-    #[error("{file}: {source}")]
-    Manifest {
-        /// The manifest.
-        file: PathBuf,
-        /// Reason, with line and caret.
-        source: Box<toml::de::Error>,
-    },
     /// A figure cannot be drawn.
     #[error("figure \"{figure}\": {reason}")]
     Drawing {

@@ -4,12 +4,11 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::collect::manifest;
 use super::data::MainFigure;
 use super::rail_figures::listed;
 use super::system::{self, SystemFacts};
 use super::{ReportError, collect, render};
-use crate::file_error::FileError;
+use crate::file_error::{FileError, read_toml};
 
 /// The part of a manifest that only the run of a system has.
 #[derive(Deserialize)]
@@ -23,7 +22,7 @@ struct Manifest {
 /// # Errors
 /// When the results cannot be read or the report cannot be written.
 pub fn write(folder: &Path) -> Result<(PathBuf, Vec<MainFigure>), ReportError> {
-    let (page, figures) = match manifest::<Manifest>(folder)?.system {
+    let (page, figures) = match read_toml::<Manifest>(&folder.join("manifest.toml"))?.system {
         Some(facts) => (system::render(&facts, folder)?, vec![]),
         None => {
             let data = collect(folder)?;
