@@ -29,6 +29,8 @@ pub struct SystemFacts {
     pub threads: usize,
     /// Wall time of the stepping, s; left out by a run that was killed.
     pub wall_time_s: Option<f64>,
+    /// Wall time of the recording in it, s.
+    pub recording_s: f64,
     /// Its components.
     pub component: Vec<ComponentFacts>,
 }
@@ -57,6 +59,7 @@ const PREFIXED: [&str; 6] = ["N", "W", "J", "Pa", "m", "K"];
 struct Page<'f> {
     facts: &'f SystemFacts,
     wall_time: String,
+    recording: String,
     times: Vec<ComponentTime<'f>>,
     figures: Vec<Figure>,
     /// Number of quantities that no figure shows.
@@ -100,6 +103,7 @@ pub(super) fn render(facts: &SystemFacts, folder: &Path) -> Result<String, Repor
         &Page {
             facts,
             wall_time: with_unit(facts.wall_time_s.unwrap_or(0.0), "s"),
+            recording: with_unit(facts.recording_s, "s"),
             times: times.collect(),
             figures,
             left_out: quantities - shown,

@@ -27,6 +27,7 @@ fn facts() -> SystemFacts {
         step_s: 1e-3,
         threads: 2,
         wall_time_s: Some(0.5),
+        recording_s: 0.05,
         component: vec![component("tank", 0.4), component("pump", 0.002), silent],
     }
 }
@@ -72,7 +73,7 @@ fn the_page_of_a_system_has_facts_times_and_what_changed() {
         "a &lt;tank&gt; and a pump",
         "3 components from tank.ssp",
         "2.0 s simulated in steps of",
-        "500 ms in all with 2 threads",
+        "500 ms in all with 2 threads, of which recording took 50.0 ms",
         // 0.4 s in 2000 steps.
         "<td>tank</td><td>tank.fmu</td><td class=\"value\">400 ms</td><td class=\"value\">200 µs</td>",
         "Value in kN",

@@ -20,6 +20,7 @@ use crate::manifest::{FmuEntry, Origin, fmus, write_toml};
 use crate::progress::Progress;
 use crate::report::{self, ComponentFacts, SystemFacts};
 use crate::stepping::{FailedStep, StepFailure};
+use crate::times::Stopwatch;
 use crate::unit::{take_warnings, terminate};
 use crate::workplace::Workplace;
 
@@ -121,16 +122,18 @@ pub fn run(path: &Path, options: &SystemOptions) -> Result<FinishedSystem, RunEr
         step_s: times.clock.length,
         threads,
         wall_time_s: None,
+        recording_s: 0.0,
         component: system.parts.iter().map(component_facts).collect(),
     };
     let mut manifest =
         SystemManifest { origin: Origin::new(), system: facts, fmu: fmus(system.units()) };
     write_toml(&manifest, &results)?;
-    let (done, wall, outcome) =
+    let Stepped { steps: done, wall, recording, outcome } =
         pool.install(|| step_and_record(&mut system, &times, &results, options.quiet))?;
     let facts = &mut manifest.system;
     facts.simulated_s = times.clock.at(done) - times.clock.start;
     facts.wall_time_s = Some(wall.as_secs_f64());
+    facts.recording_s = recording.as_secs_f64();
     facts.component = system.parts.iter().map(component_facts).collect();
     write_toml(&manifest, &results)?;
     outcome?;
@@ -157,8 +160,16 @@ fn component_facts(part: &Part) -> ComponentFacts {
     }
 }
 
-/// Steps done, wall time, and how the run ended.
-type Stepped = (u64, Duration, Result<(), RunError>);
+/// How far a run has come, and how it ended.
+struct Stepped {
+    /// Steps done.
+    steps: u64,
+    /// Their wall time with recording.
+    wall: Duration,
+    /// That of recording alone.
+    recording: Duration,
+    outcome: Result<(), RunError>,
+}
 
 /// Initialises, steps and records; whatever happens, what was computed is completed on disk.
 fn step_and_record(
@@ -172,27 +183,37 @@ fn step_and_record(
     recorder.observe(0, system)?;
     let mut progress = Progress::new(times.steps, times.stop(), quiet);
     let begin = Instant::now();
-    let mut done = 0;
+    let (mut steps, mut recording) = (0, Duration::ZERO);
     let mut outcome = Ok(());
-    while outcome.is_ok() && done < times.steps {
-        let time = times.clock.at(done);
-        outcome = step(system, &mut recorder, done).map_err(|source| FailedStep { time, source });
+    while outcome.is_ok() && steps < times.steps {
+        let time = times.clock.at(steps);
+        outcome = step(system, &mut recorder, steps, &mut recording)
+            .map_err(|source| FailedStep { time, source });
         if outcome.is_ok() {
-            done += 1;
-            progress.show_with(done, times.clock.at(done), String::new);
+            steps += 1;
+            progress.show_with(steps, times.clock.at(steps), String::new);
         }
     }
     progress.finish();
     let wall = begin.elapsed();
     recorder.finish()?;
     let end = terminate(system.units_mut()).map_err(RunError::End);
-    let outcome = outcome.map_err(|failed| RunError::step(failed, results));
-    Ok((done, wall, outcome.and(end)))
+    let outcome = outcome.map_err(|failed| RunError::step(failed, results)).and(end);
+    Ok(Stepped { steps, wall, recording, outcome })
 }
 
-fn step(system: &mut System, recorder: &mut Recorder, k: u64) -> Result<(), StepFailure> {
+/// Takes the system from point `k` to `k + 1` and records it, which adds to the time of `recording`.
+fn step(
+    system: &mut System,
+    recorder: &mut Recorder,
+    k: u64,
+    recording: &mut Duration,
+) -> Result<(), StepFailure> {
     system.step(k)?;
-    Ok(recorder.observe(k + 1, system)?)
+    let mut watch = Stopwatch::start();
+    recorder.observe(k + 1, system)?;
+    *recording += watch.lap();
+    Ok(())
 }
 
 impl fmt::Display for FinishedSystem {
