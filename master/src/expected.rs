@@ -14,27 +14,15 @@ use std::fmt;
 use std::path::Path;
 
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
+
+use crate::file_error::{FileError, read_toml};
 
 /// Why figures cannot be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum ExpectedError {
-    /// A file cannot be read.
-    #[error("{file}: {source}")]
-    Read {
-        /// File.
-        file: String,
-        /// Reason.
-        source: std::io::Error,
-    },
-    /// A file is not what it should be.
-    #[error("{file}: {source}")]
-    Syntax {
-        /// File.
-        file: String,
-        /// Reason, with line and caret.
-        source: Box<toml::de::Error>,
-    },
+    /// A file cannot be read, or is not what it should be.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// The run is another one.
     #[error("the run came to {found} s, but the figures are expected after {expected} s")]
     Time {
@@ -123,8 +111,8 @@ impl fmt::Display for Comparison {
 /// # Errors
 /// When a file cannot be read, or the run is not the one of the file.
 pub fn compare(results: &Path, expected: &Path) -> Result<Vec<Comparison>, ExpectedError> {
-    let manifest: Manifest = read(&results.join("manifest.toml"))?;
-    let expected: Expected = read(expected)?;
+    let manifest: Manifest = read_toml(&results.join("manifest.toml"))?;
+    let expected: Expected = read_toml(expected)?;
     let (found, wanted) = (manifest.simulated_s, expected.simulated_s);
     if (found - wanted).abs() > 1e-6 * wanted {
         return Err(ExpectedError::Time { found, expected: wanted });
@@ -141,15 +129,6 @@ pub fn compare(results: &Path, expected: &Path) -> Result<Vec<Comparison>, Expec
         }
     };
     Ok(expected.figure.into_iter().map(compared).collect())
-}
-
-fn read<T: DeserializeOwned>(file: &Path) -> Result<T, ExpectedError> {
-    let name = file.display().to_string();
-    match std::fs::read_to_string(file) {
-        Ok(text) => toml::from_str(&text)
-            .map_err(|source| ExpectedError::Syntax { file: name, source: Box::new(source) }),
-        Err(source) => Err(ExpectedError::Read { file: name, source }),
-    }
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
+use crate::file_error::FileError;
 use crate::pack::{PackError, copy_folder, write};
 use crate::scenario::{Heat, Scenario, Value};
 
@@ -112,8 +113,7 @@ fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, 
 }
 
 fn copy_file(from: &Path, to: &Path) -> Result<(), PackError> {
-    let bytes = std::fs::read(from)
-        .map_err(|source| PackError::Io { path: from.display().to_string(), source })?;
+    let bytes = std::fs::read(from).map_err(FileError::at(from))?;
     write(to, &bytes)
 }
 

@@ -9,6 +9,7 @@ use super::ReportError;
 use super::data::{Curve, RailField, ReportData, Snapshot, VehicleSeries};
 use super::facts::{EnergyLine, RunFacts};
 use super::{main_figures, rail_figures};
+use crate::file_error::read_toml;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Column of the train in which the notch stands.
@@ -35,7 +36,7 @@ impl Results {
     pub fn open(folder: &Path) -> Result<Self, ReportError> {
         let series = folder.join("series");
         Ok(Self {
-            facts: facts(&folder.join("manifest.toml"))?,
+            facts: read_toml::<Manifest>(&folder.join("manifest.toml"))?.run,
             train: SeriesReader::open(&series, "train")?,
             vehicles: SeriesReader::open(&series, "vehicles")?,
         })
@@ -88,16 +89,6 @@ fn energy(facts: &RunFacts, train: &SeriesReader) -> Vec<EnergyLine> {
         EnergyLine { name: description.unwrap_or(&line.name).to_owned(), joules: line.joules }
     };
     facts.energy.iter().map(described).collect()
-}
-
-fn facts(file: &Path) -> Result<RunFacts, ReportError> {
-    let text = std::fs::read_to_string(file)
-        .map_err(|source| ReportError::File { file: file.to_owned(), source })?;
-    let manifest: Manifest = toml::from_str(&text).map_err(|source| ReportError::Manifest {
-        file: file.to_owned(),
-        source: Box::new(source),
-    })?;
-    Ok(manifest.run)
 }
 
 fn vehicle(
