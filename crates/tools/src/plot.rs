@@ -132,6 +132,7 @@ impl Panel {
         let vertical = range(points().map(|point| point.1), 0.06);
         let mut chart = ChartBuilder::on(area)
             .margin(MARGIN)
+            .margin_right(3 * MARGIN)
             .x_label_area_size(BELOW)
             .y_label_area_size(LEFT)
             .build_cartesian_2d(horizontal, vertical)?;
@@ -145,6 +146,8 @@ impl Panel {
             .y_desc(self.vertical)
             .x_labels(8)
             .y_labels(7)
+            .x_label_formatter(&tick)
+            .y_label_formatter(&tick)
             .draw()?;
         for curve in &self.curves {
             let points = curve.points.iter().copied().filter(|(x, y)| (x + y).is_finite());
@@ -157,6 +160,13 @@ impl Panel {
         }
         Ok(())
     }
+}
+
+/// A number beside an axis, without the rounding errors of its step.
+fn tick(value: &f64) -> String {
+    let rounded = (value * 1e9).round() / 1e9;
+    // Adding zero takes the sign off a negative zero.
+    (rounded + 0.0).to_string()
 }
 
 /// The range of an axis: that of the finite values and `room` of it more on both sides; never nothing.
@@ -175,6 +185,12 @@ fn range(values: impl Iterator<Item = f64>, room: f64) -> Range<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ticks_have_no_more_digits_than_they_need() {
+        let text = [100_000.0, -0.0, 0.1 + 0.2, -2.5e-4].map(|value| tick(&value));
+        assert_eq!(text, ["100000", "0", "0.3", "-0.00025"]);
+    }
 
     #[test]
     fn axes_hold_all_values_and_are_never_empty() {
