@@ -114,7 +114,8 @@ impl Page {
         for (i, &(colour, name)) in self.legend.iter().enumerate() {
             let (x, y) = (LEFT as i32 + (i * width) as i32, (HEAD + MARGIN) as i32);
             head.draw(&Circle::new((x + DOT, y), DOT, colour.filled()))?;
-            let beside = (x + 4 * DOT, y - FONT.1 as i32 / 2);
+            // The backend shows text at 1/1.24 of its size.
+            let beside = (x + 4 * DOT, y - (0.5 / 1.24 * f64::from(FONT.1)) as i32);
             head.draw(&Text::new(name, beside, TextStyle::from(FONT.into_font()).color(&INK)))?;
         }
         for (panel, area) in self.panels.iter().zip(body.split_evenly((rows, COLUMNS))) {
