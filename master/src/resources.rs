@@ -56,7 +56,10 @@ pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<O
         extends: &'a str,
     }
     write(&folder.join("vehicle.toml"), to_toml(&Vehicle { extends: kind }).as_bytes())?;
-    write_track_and_stock(scenario, folder)
+    let mut origins = write_track_and_stock(scenario, folder)?;
+    let original = scenario.stock.join("vehicles").join(kind).with_added_extension("toml");
+    origins.0.push(("vehicle.toml".to_owned(), original));
+    Ok(origins)
 }
 
 /// Where the file that a parameter names lies in the resources, with its own name behind.

@@ -5,6 +5,7 @@
 //! | [`WheelProfile`], [`RailProfile`] | the shape of wheel and rail | EN 13715, EN 13674-1 |
 //! | [`GeometryTable`] | where a wheel touches at a lateral shift, made once for a [`ProfilePair`] | quasi-elastic search |
 //! | [`wheelset_geometry`] | both wheels of a rolled wheelset at once, for validation | rigid wheelset |
+//! | [`EquivalentConicity`] | the cone with the same wavelength | EN 15302 |
 //! | [`hertz`] | size and stiffness of the contact ellipse | Hertz, exact |
 //! | [`kalker`] | creep coefficients | Kalker 1990 |
 //! | [`CreepLaw`] | creep forces and friction power | Kalker 1982, Spiryagin 2013, Polach 2005 |
@@ -32,6 +33,7 @@ pub use creep::modified_fastsim::ModifiedFastsim;
 pub use creep::polach::Polach;
 pub use creep::{CreepForces, Creepages, REFERENCE_SPEED_MIN, SlipVelocity};
 pub use error::ContactError;
+pub use geometry::conicity::EquivalentConicity;
 pub use geometry::contact_point::{ContactPatch, ContactPoint};
 pub use geometry::pair::ProfilePair;
 pub use geometry::table::{GeometryTable, PatchAt, RowPlace};
