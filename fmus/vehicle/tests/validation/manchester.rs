@@ -12,8 +12,8 @@ use contact::{
 };
 use std::sync::Arc;
 use vehicle::body::BodyState;
-use vehicle::patch::Patch;
-use vehicle::six::{Six, dot};
+use vehicle::patch::{Patch, WheelMotion};
+use vehicle::six::Six;
 use vehicle::wheel::{Side, Wheel, WheelData};
 
 const SPEED: f64 = 2.0;
@@ -64,8 +64,15 @@ impl Wheelset {
     /// Left and right wheel with their forces.
     fn wheels(&self, placement: &Placement) -> [Wheel; 2] {
         [Side::Left, Side::Right].map(|side| {
-            let mut wheel = Wheel::new(side, &self.data, &self.table, &placement.state);
-            wheel.load(&self.data, &self.creep, &velocities(placement), SPEED);
+            let motion = WheelMotion {
+                side,
+                data: &self.data,
+                state: &placement.state,
+                velocities: &velocities(placement),
+                speed: SPEED,
+            };
+            let mut wheel = Wheel::default();
+            wheel.touch(&self.table, &motion, &self.creep);
             wheel
         })
     }
@@ -74,19 +81,18 @@ impl Wheelset {
     fn vertical(&self, placement: &Placement) -> [f64; 2] {
         self.wheels(placement).map(|wheel| {
             let upwards =
-                |patch: &Patch| patch.upwards(patch.forces.creep.lateral, patch.forces.normal);
+                |patch: &Patch| patch.rows.upwards(patch.forces.creep.lateral, patch.forces.normal);
             wheel.patches().iter().map(upwards).sum()
         })
     }
 
-    /// Moment of the creep forces about the axle, N m.
+    /// Moment of the contact forces about the axle, N m.
     fn axle_moment(&self, placement: &Placement) -> f64 {
-        let moment = |patch: &Patch| {
-            let creep = &patch.forces.creep;
-            creep.longitudinal * patch.longitudinal[4] + creep.spin_moment * patch.spin[4]
-        };
-        let wheels = self.wheels(placement);
-        wheels.iter().flat_map(Wheel::patches).map(moment).sum()
+        let mut forces = Six::default();
+        for patch in self.wheels(placement).iter().flat_map(Wheel::patches) {
+            patch.rows.add(&patch.forces, 0.0, &mut Default::default(), &mut forces);
+        }
+        forces[4]
     }
 
     /// In balance at a displacement `y` and `yaw`.
@@ -141,8 +147,8 @@ fn creepages(wheel: &Wheel, placement: &Placement) -> [f64; 3] {
     let heavier = |a: &&Patch, b: &&Patch| a.forces.normal.total_cmp(&b.forces.normal);
     let patch = wheel.patches().iter().max_by(heavier).unwrap();
     let velocities = velocities(placement);
-    let creepages = [&patch.longitudinal, &patch.lateral, &patch.spin];
-    let [xi, eta, phi] = creepages.map(|row| -dot(row, &velocities) / SPEED);
+    let slip = patch.rows.motion(&velocities).slip;
+    let [xi, eta, phi] = [slip.longitudinal, slip.lateral, slip.spin].map(|slip| -slip / SPEED);
     let (sine, cosine) = (placement.state.rotation.z * patch.angle().cos()).sin_cos();
     [xi * cosine - eta * sine, xi * sine + eta * cosine, phi]
 }
