@@ -28,14 +28,22 @@ pub(super) struct Results {
     pub train: SeriesReader,
     /// The vehicles.
     pub vehicles: SeriesReader,
+    /// Further outputs of vehicles, if any are recorded.
+    pub outputs: Option<SeriesReader>,
 }
 
 impl Results {
     /// Opens `manifest.toml` and `series/` in `folder`.
     pub fn open(folder: &Path) -> Result<Self, ReportError> {
         let series = folder.join("series");
+        let facts = facts(&folder.join("manifest.toml"))?;
+        let outputs = match facts.outputs.is_empty() || facts.train_alone {
+            true => None,
+            false => Some(SeriesReader::open(&series, "outputs")?),
+        };
         Ok(Self {
-            facts: facts(&folder.join("manifest.toml"))?,
+            facts,
+            outputs,
             train: SeriesReader::open(&series, "train")?,
             vehicles: SeriesReader::open(&series, "vehicles")?,
         })
@@ -48,7 +56,7 @@ impl Results {
 /// When one of them is missing or cannot be read.
 pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
     let results = Results::open(folder)?;
-    let Results { facts, train, vehicles } = &results;
+    let Results { facts, train, vehicles, .. } = &results;
     let leading = [("vehicle", KeyValue::Integer(1))];
     let time = vehicles.read("time", &leading)?;
     let positions = vehicles.read("position", &[])?;

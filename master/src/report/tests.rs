@@ -148,6 +148,7 @@ fn write_field(store: &Path) {
 
 fn facts() -> RunFacts {
     RunFacts {
+        outputs: vec![],
         train_alone: false,
         title: "Curve <test> & more".to_owned(),
         vehicles: VEHICLES,

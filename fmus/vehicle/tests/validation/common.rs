@@ -12,6 +12,10 @@ use vehicle::structure::{Structure, WheelsetData};
 /// Friction coefficient of the reference set.
 pub const FRICTION: f64 = 0.36;
 
+/// Every vehicle with a multibody section of its own.
+pub const VEHICLES: [&str; 4] =
+    ["locomotive-coco-134t", "manchester-vehicle-1", "wagon-ore-40t", "wagon-ore-40t-empty"];
+
 /// A level curve without end.
 pub const CURVE_800: &str = "alignment = [{ length_m = 1e6, radius_m = 800.0 }]";
 

@@ -5,10 +5,6 @@ use vehicle::dynamics::Dynamics;
 use vehicle::inputs::Inputs;
 use vehicle::linear::{Rolling, Surfaces, System};
 
-/// Every vehicle with a multibody section.
-const VEHICLES: [&str; 4] =
-    ["locomotive-coco-134t", "manchester-vehicle-1", "wagon-ore-40t", "wagon-ore-40t-empty"];
-
 /// All wheels together carry the weight; left and right are alike.
 #[test]
 fn analytic_static_loads_of_all_vehicles() {
