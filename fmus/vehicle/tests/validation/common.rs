@@ -31,6 +31,13 @@ pub const TRANSITION: &str = "
         { length_m = 50.0, transition = true },
     ]";
 
+/// Elastic support of the rails.
+pub const SUPPORT: &str = "[support]
+    lateral_stiffness_n_m = 25e6
+    lateral_damping_n_s_m = 50e3
+    vertical_stiffness_n_m = 60e6
+    vertical_damping_n_s_m = 100e3";
+
 /// The reference set.
 pub fn locomotive() -> Arc<Structure> {
     from_stock("locomotive-coco-134t")
