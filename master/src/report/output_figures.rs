@@ -119,3 +119,43 @@ fn widest(means: &[Means]) -> Option<Found<'_>> {
     let finite = found.filter(|found| found.value.is_finite());
     finite.max_by(|a, b| a.value.total_cmp(&b.value))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::{Column, SeriesWriter, vehicle_keys_of};
+
+    /// Vehicles 1 and 3 with two outputs over three records of two steps each; one output is missing in
+    /// vehicle 3. By hand: means 0, 2, 4 and 0, -3, -6, whose deviations are
+    /// sqrt(8/3) and sqrt(6).
+    #[test]
+    fn analytic_highest_lowest_and_deviation_of_the_means() {
+        let folder = tempfile::tempdir().unwrap();
+        let column = |name: &str| Column::new(name, "N", "Test").double().mean();
+        let columns = vec![column("a.force"), column("b.force"), column("other")];
+        let keys = vehicle_keys_of([1, 3]);
+        let mut writer = SeriesWriter::create(folder.path(), "outputs", keys, columns, 10).unwrap();
+        for record in 0..3 {
+            for step in [-1.0, 1.0] {
+                let at = f64::from(record);
+                writer.observe(0, &[2.0 * at + step, 1.0, 100.0]);
+                writer.observe(1, &[-3.0 * at + step, f64::NAN, -100.0]);
+            }
+            writer.record(0.1 * f64::from(record)).unwrap();
+        }
+        writer.finish().unwrap();
+        let reader = SeriesReader::open(folder.path(), "outputs").unwrap();
+        let figures = of_run(&["*.force".to_owned()], &reader).unwrap();
+        let keys: Vec<&str> = figures.iter().map(|figure| figure.key.as_str()).collect();
+        let expected =
+            ["highest", "lowest", "deviation"].map(|key| format!("outputs.*.force.{key}"));
+        assert_eq!(keys, expected);
+        let values: Vec<f64> = figures.iter().filter_map(|figure| figure.value).collect();
+        for (value, expected) in values.iter().zip([4.0, -6.0, 6.0_f64.sqrt()]) {
+            assert!((value - expected).abs() < 1e-12, "{value}, expected {expected}");
+        }
+        assert_eq!(figures[0].place, "a.force of vehicle 1 at 0.2 s");
+        assert_eq!(figures[1].time_s, Some(0.2));
+        assert_eq!(figures[2].place, "a.force of vehicle 3");
+    }
+}
