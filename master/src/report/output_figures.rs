@@ -53,7 +53,10 @@ pub(super) fn of_run(
 fn figure(pattern: &str, key: &str, word: &str, found: &Found<'_>, time: &[f64]) -> MainFigure {
     let Means { output, unit, vehicle, .. } = found.of;
     let name = format!("{word} {pattern}");
-    let figure = MainFigure::new(format!("outputs.{pattern}.{key}"), name, found.value, unit);
+    let mut figure = MainFigure::new(format!("outputs.{pattern}.{key}"), name, found.value, unit);
+    if unit == "1" {
+        figure.text = format!("{:.3}", found.value);
+    }
     let place = format!("{output} of vehicle {vehicle}");
     // The table has a row for each vehicle at each record.
     let rows = time.len() / found.of.values.len().max(1);
