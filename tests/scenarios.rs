@@ -1,4 +1,5 @@
 //! Every shipped scenario runs: its first half second, so that the whole of it fits into the test run.
+//! The acceptance runs, which are short, run to their end.
 
 use std::path::PathBuf;
 
@@ -14,6 +15,26 @@ fn every_shipped_scenario_starts_and_runs() {
         scope.spawn(|| start_and_run(some));
         start_and_run(others);
     });
+}
+
+/// The acceptance runs keep the limits in their files `expected.toml`, whose sources stand there.
+#[test]
+fn benchmark_acceptance_runs_keep_their_limits() {
+    let is_acceptance = |file: &PathBuf| file.to_str().unwrap().contains("scenarios/acceptance-");
+    let scenarios: Vec<PathBuf> = shipped().into_iter().filter(is_acceptance).collect();
+    assert!(scenarios.len() >= 7, "only {} acceptance runs were found", scenarios.len());
+    for scenario in scenarios {
+        let folder = tempfile::tempdir().unwrap();
+        let results = folder.path().to_str().unwrap();
+        let run = ["run", scenario.to_str().unwrap(), "--quiet", "--results", results];
+        let output = hotfoot(root(), &run);
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{}: {text}", scenario.display());
+        let expected = scenario.with_file_name("expected.toml");
+        let output = hotfoot(root(), &["expect", results, expected.to_str().unwrap()]);
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert!(output.status.success(), "{}: {text}", scenario.display());
+    }
 }
 
 fn start_and_run(scenarios: &[PathBuf]) {

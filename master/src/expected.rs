@@ -8,6 +8,10 @@
 //! value = 0.126                       # in the manifest's unit; left out: there must be none
 //! tolerance = 0.001                   # largest difference
 //! source = "where the value comes from"
+//! [[figure]]
+//! key = "outputs.*.derailment_quotient.highest"
+//! at_most = 0.8                       # a limit, or at_least, or both, in place of a value
+//! source = "where the limit comes from"
 //! ```
 
 use std::fmt;
@@ -23,6 +27,14 @@ pub enum ExpectedError {
     /// A file cannot be read, or is not what it should be.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A figure has a value and a limit.
+    #[error("{file}: figure \"{key}\" has a value and a limit; give each an entry of its own")]
+    Both {
+        /// File.
+        file: String,
+        /// Key of the figure.
+        key: String,
+    },
     /// The run is another one.
     #[error("the run came to {found} s, but the figures are expected after {expected} s")]
     Time {
@@ -48,6 +60,8 @@ struct ExpectedFigure {
     value: Option<f64>,
     #[serde(default)]
     tolerance: f64,
+    at_least: Option<f64>,
+    at_most: Option<f64>,
     source: String,
 }
 
@@ -66,12 +80,22 @@ struct FoundFigure {
     unit: String,
 }
 
+/// What a figure must be.
+#[derive(Debug, PartialEq)]
+enum Wanted {
+    /// There must be no such value.
+    None,
+    /// A value, and the largest difference from it.
+    Value(f64, f64),
+    /// Between limits.
+    Limits(f64, f64),
+}
+
 /// How a figure compares.
 #[derive(Debug, PartialEq)]
 pub struct Comparison {
     key: String,
-    expected: Option<f64>,
-    tolerance: f64,
+    wanted: Wanted,
     /// None if the run has no figure of that key.
     found: Option<Option<f64>>,
     unit: String,
@@ -81,10 +105,25 @@ pub struct Comparison {
 impl Comparison {
     /// Whether the run gave what was expected.
     pub fn agrees(&self) -> bool {
-        match (self.expected, self.found) {
-            (Some(expected), Some(Some(found))) => (found - expected).abs() <= self.tolerance,
-            (None, Some(None)) => true,
+        match (&self.wanted, self.found) {
+            (Wanted::Value(value, tolerance), Some(Some(found))) => {
+                (found - value).abs() <= *tolerance
+            }
+            (Wanted::Limits(least, most), Some(Some(found))) => (*least..=*most).contains(&found),
+            (Wanted::None, Some(None)) => true,
             _ => false,
+        }
+    }
+}
+
+impl fmt::Display for Wanted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::None => write!(f, "none"),
+            Self::Value(value, tolerance) => write!(f, "{value} ± {tolerance}"),
+            Self::Limits(f64::NEG_INFINITY, most) => write!(f, "at most {most}"),
+            Self::Limits(least, f64::INFINITY) => write!(f, "at least {least}"),
+            Self::Limits(least, most) => write!(f, "{least} to {most}"),
         }
     }
 }
@@ -93,26 +132,19 @@ impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| v.to_string());
         let found = self.found.map_or("no such figure".to_owned(), number);
-        write!(
-            f,
-            "{} {}: {found} {}, expected {} ± {} ({})",
-            if self.agrees() { "agrees " } else { "DIFFERS" },
-            self.key,
-            self.unit,
-            number(self.expected),
-            self.tolerance,
-            self.source
-        )
+        let verdict = if self.agrees() { "agrees " } else { "DIFFERS" };
+        let Self { key, unit, wanted, source, .. } = self;
+        write!(f, "{verdict} {key}: {found} {unit}, expected {wanted} ({source})")
     }
 }
 
-/// Compares the figures of the run in the folder `results` with those of the file `expected`.
+/// Compares the figures of the run in the folder `results` with those expected in `file`.
 ///
 /// # Errors
 /// When a file cannot be read, or the run is not the one of the file.
-pub fn compare(results: &Path, expected: &Path) -> Result<Vec<Comparison>, ExpectedError> {
+pub fn compare(results: &Path, file: &Path) -> Result<Vec<Comparison>, ExpectedError> {
     let manifest: Manifest = read_toml(&results.join("manifest.toml"))?;
-    let expected: Expected = read_toml(expected)?;
+    let expected: Expected = read_toml(file)?;
     let (found, wanted) = (manifest.simulated_s, expected.simulated_s);
     if (found - wanted).abs() > 1e-6 * wanted {
         return Err(ExpectedError::Time { found, expected: wanted });
@@ -122,13 +154,33 @@ pub fn compare(results: &Path, expected: &Path) -> Result<Vec<Comparison>, Expec
         Comparison {
             found: found.map(|found| found.value),
             unit: found.map(|found| found.unit.clone()).unwrap_or_default(),
+            wanted: figure.wanted(),
             key: figure.key,
-            expected: figure.value,
-            tolerance: figure.tolerance,
             source: figure.source,
         }
     };
+    let file_name = file.display().to_string();
+    let both = expected.figure.iter().find(|figure| figure.value.is_some() && figure.has_limits());
+    if let Some(figure) = both {
+        return Err(ExpectedError::Both { file: file_name, key: figure.key.clone() });
+    }
     Ok(expected.figure.into_iter().map(compared).collect())
+}
+
+impl ExpectedFigure {
+    fn has_limits(&self) -> bool {
+        self.at_least.is_some() || self.at_most.is_some()
+    }
+
+    fn wanted(&self) -> Wanted {
+        let limits =
+            [self.at_least.unwrap_or(f64::NEG_INFINITY), self.at_most.unwrap_or(f64::INFINITY)];
+        match self.value {
+            Some(value) => Wanted::Value(value, self.tolerance),
+            None if self.has_limits() => Wanted::Limits(limits[0], limits[1]),
+            None => Wanted::None,
+        }
+    }
 }
 
 #[cfg(test)]
@@ -163,6 +215,10 @@ mod tests {
             ("right.foot.detection", "", true),
             ("right.foot.detection", "value = 236.0", false),
             ("right.foot.dtection", "", false),
+            ("left.foot.highest", "at_most = 0.126", true),
+            ("left.foot.highest", "at_most = 0.125", false),
+            ("left.foot.highest", "at_least = 0.127\nat_most = 0.2", false),
+            ("right.foot.detection", "at_most = 300.0", false),
         ] {
             let comparisons = compared(&figure(key, value)).unwrap();
             assert_eq!(comparisons[0].agrees(), agrees, "{}", comparisons[0]);
@@ -177,6 +233,9 @@ mod tests {
         let shorter = figure("left.foot.highest", "").replace("106.0", "3.0");
         let sentence = compared(&shorter).unwrap_err().to_string();
         assert!(sentence.contains("came to 106 s") && sentence.contains("after 3 s"), "{sentence}");
+        let both = figure("left.foot.highest", "value = 0.1\nat_most = 0.2");
+        let sentence = compared(&both).unwrap_err().to_string();
+        assert!(sentence.contains("a value and a limit"), "{sentence}");
         let sentence = compared("simulated_s = 1.0\nfigures = []").unwrap_err().to_string();
         assert!(sentence.contains("expected.toml") && sentence.contains("figures"), "{sentence}");
     }

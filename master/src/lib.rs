@@ -14,7 +14,7 @@
 //! | `foresee.rs` | what is wrong with the run before its first step |
 //! | `traffic.rs`, `tape.rs` | what the rails go through after the run |
 //! | `synchronisation.rs` | gains of the controllers that keep vehicles at their place |
-//! | `run.rs`, `stepping.rs`, `finished.rs`, `observe.rs`, `observe_rail.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
+//! | `run.rs`, `stepping.rs`, `finished.rs`, `observe.rs`, `observe_rail.rs`, `observe_outputs.rs`, `name_pattern.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
 //! | `workplace.rs`, `error.rs`, `file_error.rs` | threads and the folder of a run, and why it failed |
 //! | `recording/`, `report/` | series files and the report |
 //! | `expected.rs` | the figures of a run against those expected of its scenario |
@@ -35,7 +35,9 @@ mod foresee;
 mod interface;
 mod lockstep;
 mod manifest;
+mod name_pattern;
 mod observe;
+mod observe_outputs;
 mod observe_rail;
 mod pack;
 mod parallel;

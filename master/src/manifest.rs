@@ -75,6 +75,7 @@ impl Manifest {
             train_alone: scenario.train_alone,
             vehicles: scenario.vehicle_count(),
             plotted: scenario.recorded_vehicles(),
+            outputs: scenario.record.outputs.clone(),
             rails: scenario.heat.as_ref().map(|heat| rail_facts(scenario, heat, lockstep)),
             heat_maps_at_s: scenario.record.heat_maps_at_s.clone(),
             curves_m: curves(&scenario.track.file),

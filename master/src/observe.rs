@@ -1,9 +1,10 @@
 //! What is recorded of a run: the series of the train, the vehicles and chosen wheels, and of the
-//! rails (`observe_rail.rs`).
+//! rails (`observe_rail.rs`), and further outputs of the vehicles (`observe_outputs.rs`).
 
 use std::path::Path;
 
 use crate::lockstep::{Lockstep, Vehicle};
+use crate::observe_outputs::{OutputRecorder, OutputsError};
 use crate::observe_rail::RailRecorder;
 use crate::port::{Port, Signal};
 use crate::rail::Rail;
@@ -31,6 +32,9 @@ pub enum ObserveError {
     /// A unit does not give its outputs.
     #[error(transparent)]
     Unit(#[from] UnitError),
+    /// The outputs that the scenario names are not there.
+    #[error(transparent)]
+    Outputs(#[from] OutputsError),
 }
 
 /// Records the series of a run.
@@ -40,6 +44,8 @@ pub struct Recorder {
     vehicles: SeriesWriter,
     /// None where no vehicle has wheels, as in a train alone.
     wheels: Option<SeriesWriter>,
+    /// None where the scenario names no further outputs.
+    outputs: Option<OutputRecorder>,
     /// None where no rail is heated.
     rails: Option<RailRecorder>,
     /// Vehicle (from zero), wheelset and side of each row of the wheels.
@@ -86,6 +92,13 @@ impl Recorder {
                 true => None,
                 false => Some(create("wheels", wheel_keys(&keys), WheelRow::columns())?),
             },
+            outputs: OutputRecorder::new(
+                &scenario.record.outputs,
+                &scenario.recorded_vehicles(),
+                &lockstep.vehicles,
+                folder,
+                per_part,
+            )?,
             rails: RailRecorder::new(&lockstep.rails, folder, per_part)?,
             wheel_rows,
             every,
@@ -111,6 +124,9 @@ impl Recorder {
             for (row, &(i, j, side)) in self.wheel_rows.iter().enumerate() {
                 wheels.observe(row, &wheel_row(&lockstep.vehicles[i], j, side).values());
             }
+        }
+        if let Some(outputs) = &mut self.outputs {
+            outputs.observe(&mut lockstep.vehicles)?;
         }
         if k.is_multiple_of(self.every) {
             self.record(lockstep.clock.at(k), lockstep)?;
@@ -145,6 +161,9 @@ impl Recorder {
         if let Some(wheels) = &mut self.wheels {
             wheels.record(time)?;
         }
+        if let Some(outputs) = &mut self.outputs {
+            outputs.record(time)?;
+        }
         self.record_rails(time, &mut lockstep.rails)
     }
 
@@ -165,6 +184,9 @@ impl Recorder {
         self.vehicles.finish()?;
         if let Some(wheels) = self.wheels {
             wheels.finish()?;
+        }
+        if let Some(outputs) = self.outputs {
+            outputs.finish()?;
         }
         self.rails.map_or(Ok(()), RailRecorder::finish)
     }

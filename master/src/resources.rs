@@ -104,15 +104,18 @@ pub fn write_railheat(
 
 fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, PackError> {
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
-    // A track file that cannot be read is answered by the models, with all that is wrong in it.
-    if let Ok(Some(irregularities)) = track::irregularity::file_beside(&scenario.track.file) {
-        copy_file(&irregularities, &folder.join(irregularities.file_name().unwrap_or_default()))?;
-    }
-    copy_folder(&scenario.stock, &folder.join("stock"))?;
-    Ok(Origins(vec![
+    let mut origins = Origins(vec![
         ("track.toml".to_owned(), scenario.track.file.clone()),
         ("stock".to_owned(), scenario.stock.clone()),
-    ]))
+    ]);
+    // A track file that cannot be read is answered by the models, with all that is wrong in it.
+    if let Ok(Some(irregularities)) = track::irregularity::file_beside(&scenario.track.file) {
+        let name = irregularities.file_name().unwrap_or_default();
+        copy_file(&irregularities, &folder.join(name))?;
+        origins.0.push((name.display().to_string(), irregularities));
+    }
+    copy_folder(&scenario.stock, &folder.join("stock"))?;
+    Ok(origins)
 }
 
 fn copy_file(from: &Path, to: &Path) -> Result<(), PackError> {

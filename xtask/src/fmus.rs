@@ -6,9 +6,25 @@ use anyhow::{Context, Result, bail};
 
 use crate::shell::{cargo, hotfoot, output, run, target};
 
+/// The pages on the vehicle and its contacts, in the order of reading.
+const VEHICLE: &[&str] = &[
+    "vehicle/README.md",
+    "vehicle/frames.md",
+    "vehicle/suspension.md",
+    "vehicle/contact-geometry.md",
+    "vehicle/hertz.md",
+    "vehicle/creep.md",
+    "vehicle/wheel.md",
+    "vehicle/rails.md",
+    "vehicle/step.md",
+    "vehicle/start.md",
+    "vehicle/outputs.md",
+    "vehicle/linear.md",
+];
+
 /// The models that become FMUs, with their equations in `docs/theory`.
 const MODELS: [(&str, &[&str]); 4] = [
-    ("vehicle", &["vehicle.md", "contact.md"]),
+    ("vehicle", VEHICLE),
     ("longitudinal", &["longitudinal.md"]),
     ("railheat", &["railheat/README.md", "railheat/paper.md", "railheat/energy.md"]),
     ("synchronisation", &["synchronisation.md"]),

@@ -2,7 +2,7 @@
 //!
 //! An element joins two bodies, the first and the second of `between`. Points are given as in
 //! `multibody.rs`; there is one element of the kind at each point. The equations are those of
-//! `docs/theory/vehicle.md`.
+//! `docs/theory/vehicle/suspension.md`.
 
 use serde::Deserialize;
 

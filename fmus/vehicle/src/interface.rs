@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
+use nalgebra::Vector3;
 use stock::Library;
 
 use crate::dynamics::{Dynamics, LONGEST_STEP, State};
@@ -36,9 +37,7 @@ impl Model for Vehicle {
     fn declare(resources: &Path, declaration: &mut Declaration) -> Result<Signals, ModelError> {
         let vehicle = read_vehicle(resources, "")?;
         let multibody = multibody(&vehicle).map_err(ModelError::from_error)?;
-        let bogies = multibody.body.len() - 1;
-        let friction = multibody.contact.creep.friction;
-        Ok(Signals::declare(declaration, multibody.wheelset.len(), bogies, friction))
+        Ok(Signals::declare(declaration, multibody))
     }
 
     fn initialize(
@@ -73,7 +72,8 @@ impl Model for Vehicle {
             Self { reported: vec![[Standing::OnRail; 2]; dynamics.wheels.len()], dynamics };
         vehicle.check_numbers()?;
         vehicle.report_wheels(log);
-        vehicle.write_outputs(signals, values);
+        let along = Vector3::x() * vehicle.dynamics.acceleration;
+        signals.write(&vehicle.dynamics, &felt(&vehicle.dynamics, along), values);
         Ok(vehicle)
     }
 
@@ -86,12 +86,16 @@ impl Model for Vehicle {
     ) -> Result<(), ModelError> {
         let inputs = checked(signals.read(values))?;
         let steps = steps(interval.length, self.dynamics.longest_step());
+        let length = interval.length / f64::from(steps);
+        let mut rate = Vector3::zeros();
         for _ in 0..steps {
-            self.dynamics.step(interval.length / f64::from(steps), &inputs);
+            let before = self.dynamics.state.bodies[0].velocity;
+            self.dynamics.step(length, &inputs);
+            rate = (self.dynamics.state.bodies[0].velocity - before) / length;
         }
         self.check_numbers()?;
         self.report_wheels(log);
-        self.write_outputs(signals, values);
+        signals.write(&self.dynamics, &felt(&self.dynamics, rate), values);
         Ok(())
     }
 
@@ -146,62 +150,13 @@ impl Vehicle {
             }
         }
     }
+}
 
-    fn write_outputs(&self, signals: &Signals, values: &mut Values) {
-        let dynamics = &self.dynamics;
-        values[signals.position] = dynamics.position();
-        values[signals.velocity] = dynamics.velocity();
-        values[signals.acceleration] = dynamics.acceleration;
-        let wheelsets = dynamics.structure.wheelsets.iter().zip(&dynamics.wheels);
-        for (handles, (data, wheels)) in signals.wheelsets.iter().zip(wheelsets) {
-            let state = &dynamics.state.bodies[data.body];
-            values[handles.position] = state.position.x;
-            values[handles.speed] = state.velocity.x;
-            handles.track_forces.write(wheels, data.static_wheel_load, values);
-            for (handles, wheel) in handles.wheels.iter().zip(wheels) {
-                values[handles.creepage[0]] = wheel.creepages.longitudinal;
-                values[handles.creepage[1]] = wheel.creepages.lateral;
-                values[handles.creepage[2]] = wheel.creepages.spin;
-                values[handles.longitudinal] = wheel.longitudinal;
-                values[handles.lateral] = wheel.lateral;
-                values[handles.normal] = wheel.normal;
-                values[handles.friction_power] = wheel.friction_power;
-                values[handles.a] = wheel.a;
-                values[handles.b] = wheel.b;
-                values[handles.rail_lateral] = wheel.rail_lateral;
-                values[handles.standing] = f64::from(wheel.standing as u8);
-                for (handles, patch) in handles.patches.iter().zip(&wheel.patches) {
-                    handles.write(patch, values);
-                }
-            }
-        }
-        for (handles, state) in signals.bodies.iter().zip(&dynamics.state.bodies) {
-            values[handles.lateral] = state.position.y;
-            values[handles.vertical] = state.position.z;
-            values[handles.roll] = state.rotation.x;
-            values[handles.pitch] = state.rotation.y;
-            values[handles.yaw] = state.rotation.z;
-        }
-        self.write_energy(signals, values);
-    }
-
-    fn write_energy(&self, signals: &Signals, values: &mut Values) {
-        let (handles, account) = (&signals.energy, &self.dynamics.state.account);
-        let stored = self.dynamics.stored_energy();
-        values[handles.kinetic] = stored.kinetic;
-        values[handles.elastic] = stored.elastic;
-        values[handles.gravity] = stored.gravity;
-        values[handles.couplers] = account.couplers;
-        values[handles.traction] = account.traction;
-        values[handles.resistance] = account.resistance;
-        values[handles.synchronisation] = account.synchronisation;
-        values[handles.brake_heat] = account.brake_heat;
-        values[handles.suspension_heat] = account.suspension_heat;
-        values[handles.friction_heat] = account.friction_heat;
-        values[handles.contact_heat] = account.contact_heat;
-        values[handles.track_heat] = account.track_heat;
-        values[handles.irregularities] = account.irregularities;
-    }
+/// What an accelerometer in the first body feels whose velocity in its frame changes with `rate` (eq.
+/// 41), m/s².
+fn felt(dynamics: &Dynamics, rate: Vector3<f64>) -> Vector3<f64> {
+    let (body, state) = (&dynamics.structure.bodies[0], &dynamics.state.bodies[0]);
+    rate - state.frame_forces(body, &dynamics.frames[0]).force / body.mass
 }
 
 /// Number of equal steps in an interval, each at most `longest` long.
@@ -226,11 +181,11 @@ fn read_vehicle(resources: &Path, parameter: &str) -> Result<stock::Vehicle, Mod
 
 /// Another vehicle file must not change the interface.
 fn check_shape(structure: &Structure, signals: &Signals, name: &str) -> Result<(), ModelError> {
-    let (wheelsets, declared) = (structure.wheelsets.len(), signals.wheelsets.len());
-    let (bodies, shown) = (structure.bodies.len() - wheelsets, signals.bodies.len());
-    match wheelsets == declared && bodies == shown {
-        true => Ok(()),
-        false => Err(ModelError::new(format!(
+    let wheelsets = structure.wheelsets.len();
+    let bodies = structure.bodies.len() - wheelsets;
+    match signals.shape() {
+        shape if shape == [wheelsets, bodies] => Ok(()),
+        [declared, shown] => Err(ModelError::new(format!(
             "vehicle_file: vehicle \"{name}\" has {wheelsets} wheelsets and {bodies} bodies, but \
              this FMU was made for {declared} and {shown}; pack an FMU for that vehicle"
         ))),

@@ -18,9 +18,9 @@
 //! | `equilibrium.rs` | the start in equilibrium |
 //! | `statics.rs`, `linear/` | static load of the springs; the vehicle linearised |
 //! | `energy.rs`, `inputs.rs`, `six.rs` | energy account; forces from outside; algebra |
-//! | `signals.rs`, `patch_signals.rs`, `track_forces.rs`, `interface.rs` | the model as an FMU |
+//! | `signals/`, `interface.rs` | the model as an FMU: its variables, its life |
 //!
-//! Equations are numbered in `docs/theory/vehicle.md`. Axes: x along the track in the running
+//! Equations are numbered in `docs/theory/vehicle`. Axes: x along the track in the running
 //! direction, y to the right, z down; SI units.
 
 pub mod body;
@@ -35,7 +35,6 @@ mod interface;
 pub mod line;
 pub mod linear;
 pub mod patch;
-mod patch_signals;
 pub mod rail;
 pub mod rows;
 mod signals;
@@ -43,7 +42,6 @@ pub mod six;
 mod statics;
 pub mod structure;
 pub mod suspension;
-mod track_forces;
 pub mod wheel;
 pub mod wheel_output;
 pub mod wheelset;

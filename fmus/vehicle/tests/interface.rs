@@ -88,6 +88,10 @@ fn the_interface_has_the_names_of_the_design() {
         "wheelset[6].right.contact.a",
         "wheelset[6].right.contact.b",
         "wheelset[6].right.contact.lateral_position",
+        "wheelset[1].right.derailment_quotient",
+        "wheelset[6].track_force.lateral_sum",
+        "body.acceleration.lateral",
+        "bogie[2].yaw",
     ] {
         assert!(names.contains(&name), "{name} is missing");
     }
@@ -108,6 +112,28 @@ fn property_steps_and_restored_states_give_the_same_bits() {
     assert_eq!(bench.reals(), twice);
 }
 
+/// A body that is held in height only, and weighs what the car body of [`lighter`] lacks.
+const TOOL_BOX: &str = r#"
+    [[multibody.body]]
+    name = "tool box"
+    mass_kg = 100.0
+    inertia_kg_m2 = [1.0, 1.0, 1.0]
+    x_m = 0.0
+    height_m = 1.0
+    [[multibody.spring]]
+    name = "tool box"
+    between = ["car body", "tool box"]
+    points_m = [[0.0, 0.0, 1.0]]
+    stiffness_n_m = [0.0, 0.0, 1e6]
+    damping_n_s_m = [0.0, 0.0, 0.0]
+"#;
+
+fn lighter(locomotive: &str) -> String {
+    let lighter = locomotive.replace("mass_kg = 88400.0", "mass_kg = 88300.0");
+    assert_ne!(lighter, locomotive, "the car body has another mass now");
+    lighter
+}
+
 #[test]
 fn wrong_files_and_values_are_named() {
     let message = |result: Result<Vehicle, ModelError>| match result {
@@ -121,6 +147,14 @@ fn wrong_files_and_values_are_named() {
     let profile = "extends = \"locomotive-coco-134t\"\nmultibody.contact.wheel = \"S1003\"";
     let mut bench = Bench::new(resources("profile", profile)).unwrap();
     assert!(message(bench.start()).contains("there is no wheel profile \"S1003\""));
+
+    let stock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../stock/vehicles");
+    let text = std::fs::read_to_string(stock.join("locomotive-coco-134t.toml")).unwrap();
+    let mut bench = Bench::new(resources("loose", &(lighter(&text) + TOOL_BOX))).unwrap();
+    let sentence = message(bench.start());
+    for part in ["vehicle.toml", "[multibody]", "no spring holds body \"tool box\" in "] {
+        assert!(sentence.contains(part), "{sentence}");
+    }
 
     let folder = resources("no-track", LOCOMOTIVE);
     std::fs::remove_file(folder.join("track.toml")).unwrap();

@@ -1,10 +1,11 @@
-//! Last value of every column between two records, and lowest and highest of some.
+//! Last value of every column between two records, and mean, lowest and highest of some.
 
 /// Sees every step and remembers what a record needs.
 ///
 /// The interval of the extremes is closed at both ends: the value of the last record counts as
 /// the first of the next interval, so that lowest <= last <= highest always holds and curves
-/// of the extremes have no gaps. Values lie row by row, as the steps bring them.
+/// of the extremes have no gaps. A mean is over the steps since the last record. Values lie row by
+/// row, as the steps bring them.
 #[derive(Debug)]
 pub(super) struct Accumulator {
     columns: usize,
@@ -14,23 +15,37 @@ pub(super) struct Accumulator {
     /// A value for each of `extremes` in every row.
     lowest: Vec<f64>,
     highest: Vec<f64>,
+    /// The columns whose means are kept.
+    means: Vec<usize>,
+    /// A sum for each of `means` in every row.
+    sums: Vec<f64>,
+    /// Number of values in the sums of each row.
+    counts: Vec<f64>,
 }
 
 impl Accumulator {
-    /// For `rows` rows of `columns` values, with the extremes of some of them.
-    pub fn new(rows: usize, columns: usize, extremes: Vec<usize>) -> Self {
+    /// For `rows` rows of `columns` values, with the means and the extremes of some of them.
+    pub fn new(rows: usize, columns: usize, means: Vec<usize>, extremes: Vec<usize>) -> Self {
         Self {
             columns,
             last: vec![f64::NAN; rows * columns],
             lowest: vec![f64::INFINITY; rows * extremes.len()],
             highest: vec![f64::NEG_INFINITY; rows * extremes.len()],
             extremes,
+            sums: vec![0.0; rows * means.len()],
+            counts: vec![0.0; rows],
+            means,
         }
     }
 
     /// Takes the values of a row after a step; the extremes pass over not-a-number.
     pub fn observe(&mut self, row: usize, values: &[f64]) {
         self.last[row * self.columns..][..self.columns].copy_from_slice(values);
+        self.counts[row] += 1.0;
+        let sums = &mut self.sums[row * self.means.len()..][..self.means.len()];
+        for (&column, sum) in self.means.iter().zip(sums) {
+            *sum += values[column];
+        }
         let begin = row * self.extremes.len();
         let lowest = &mut self.lowest[begin..][..self.extremes.len()];
         let highest = &mut self.highest[begin..][..self.extremes.len()];
@@ -50,6 +65,12 @@ impl Accumulator {
         every(self.columns, &self.last, column)
     }
 
+    /// Mean in every row since the last [`Self::restart`] of the column that stands at a place among
+    /// those whose means are kept; not-a-number until observed.
+    pub fn mean(&self, place: usize) -> impl Iterator<Item = f64> {
+        every(self.means.len(), &self.sums, place).zip(&self.counts).map(|(sum, count)| sum / count)
+    }
+
     /// Lowest value in every row since the last [`Self::restart`] of the column that stands at a
     /// place among those whose extremes are kept.
     pub fn lowest(&self, place: usize) -> impl Iterator<Item = f64> {
@@ -63,6 +84,8 @@ impl Accumulator {
 
     /// Begins the next interval at the last values.
     pub fn restart(&mut self) {
+        self.sums.fill(0.0);
+        self.counts.fill(0.0);
         let rows = self.last.chunks_exact(self.columns.max(1));
         let last = rows.flat_map(|row| self.extremes.iter().map(|&column| row[column]));
         for (value, (lowest, highest)) in last.zip(self.lowest.iter_mut().zip(&mut self.highest)) {
@@ -84,18 +107,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn analytic_extremes_between_records_and_across_them() {
-        let mut accumulator = Accumulator::new(2, 1, vec![0]);
+    fn analytic_means_and_extremes_between_records_and_across_them() {
+        let mut accumulator = Accumulator::new(2, 1, vec![0], vec![0]);
         for value in [1.0, -3.0, 2.0] {
             accumulator.observe(1, &[value]);
         }
         assert_eq!(accumulator.lowest(0).nth(1), Some(-3.0));
         assert_eq!(accumulator.highest(0).nth(1), Some(2.0));
+        assert_eq!(accumulator.mean(0).nth(1), Some(0.0));
 
         accumulator.restart();
         accumulator.observe(1, &[5.0]);
         assert_eq!(accumulator.lowest(0).nth(1), Some(2.0));
         assert_eq!(accumulator.highest(0).nth(1), Some(5.0));
+        assert_eq!(accumulator.mean(0).nth(1), Some(5.0));
         assert!(accumulator.last(0).next().unwrap().is_nan(), "row 0 was never observed");
     }
 }

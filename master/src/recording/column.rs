@@ -15,6 +15,7 @@ pub struct Column {
     unit: String,
     description: String,
     double: bool,
+    mean: bool,
     extremes: bool,
 }
 
@@ -26,6 +27,7 @@ impl Column {
             unit: unit.to_owned(),
             description: description.to_owned(),
             double: false,
+            mean: false,
             extremes: false,
         }
     }
@@ -47,6 +49,13 @@ impl Column {
         self
     }
 
+    /// Records also the mean since the last record, as the column `<name>_mean`.
+    #[must_use]
+    pub fn mean(mut self) -> Self {
+        self.mean = true;
+        self
+    }
+
     /// Records also the lowest and the highest value since the last record, as columns
     /// `<name>_min` and `<name>_max`.
     #[must_use]
@@ -55,12 +64,18 @@ impl Column {
         self
     }
 
+    /// Whether the mean is recorded too.
+    pub(super) fn has_mean(&self) -> bool {
+        self.mean
+    }
+
     /// Whether the lowest and the highest value are recorded too.
     pub(super) fn has_extremes(&self) -> bool {
         self.extremes
     }
 
-    /// The fields that the column takes in the file: the value, then its extremes if wanted.
+    /// The fields that the column takes in the file: the value, then its mean and its extremes if
+    /// wanted.
     pub(super) fn fields(&self) -> Vec<Field> {
         let data_type = match self.double {
             true => DataType::Float64,
@@ -70,11 +85,14 @@ impl Column {
             described(&name, data_type.clone(), &self.unit, &description)
         };
         let mut fields = vec![field(self.name.clone(), self.description.clone())];
-        if self.extremes {
-            for (suffix, word) in [("min", "lowest"), ("max", "highest")] {
-                let description = format!("{}, {word} since the last record", self.description);
-                fields.push(field(format!("{}_{suffix}", self.name), description));
-            }
+        let more = [
+            (self.mean, "mean", "mean"),
+            (self.extremes, "min", "lowest"),
+            (self.extremes, "max", "highest"),
+        ];
+        for (_, suffix, word) in more.into_iter().filter(|(wanted, ..)| *wanted) {
+            let description = format!("{}, {word} since the last record", self.description);
+            fields.push(field(format!("{}_{suffix}", self.name), description));
         }
         fields
     }

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `column.rs` | a column and a key of a table, and how the file describes them |
 //! | `tables.rs` | the tables of vehicles and of wheels |
-//! | `accumulator.rs` | last value, lowest and highest of every column between two records |
+//! | `accumulator.rs` | last value, mean, lowest and highest of every column between two records |
 //! | `writer.rs` | writes a table while the run goes on |
 //! | `parts.rs` | the files of a table: parts while the run goes on, one file at its end |
 //! | `open_part.rs` | the records since the last part, for when the program dies |
@@ -31,7 +31,7 @@ use parquet::errors::ParquetError;
 pub use column::{Column, Key, KeyValues};
 pub use parts::complete;
 pub use reader::{KeyValue, SeriesReader};
-pub use tables::{Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys};
+pub use tables::{Side, VehicleRow, WheelRow, vehicle_keys, vehicle_keys_of, wheel_keys};
 pub use writer::SeriesWriter;
 
 /// Why a series cannot be written or read.

@@ -119,7 +119,13 @@ impl Side {
 
 /// The keys of `series/vehicles`: vehicles 1 to `count`, from the head of the train.
 pub fn vehicle_keys(count: usize) -> Vec<Key> {
-    let numbers = (1..).take(count).collect();
+    vehicle_keys_of(1..=count)
+}
+
+/// The keys of a table of some vehicles, which stand at these places from the head of the train.
+pub fn vehicle_keys_of(places: impl IntoIterator<Item = usize>) -> Vec<Key> {
+    let number = |place| i32::try_from(place).unwrap_or(i32::MAX);
+    let numbers = places.into_iter().map(number).collect();
     vec![integer_key("vehicle", "Number of the vehicle from the head of the train", numbers)]
 }
 

@@ -14,8 +14,8 @@ use super::parts::Parts;
 /// Writes one table: a row for each key at each recorded instant.
 ///
 /// Every step is observed, every so many steps are recorded: a record holds the last value of
-/// each column and, where the column asks for it, the lowest and the highest value since the
-/// record before. A table without keys has one row an instant.
+/// each column and, where the column asks for it, the mean, the lowest and the highest value since
+/// the record before. A table without keys has one row an instant.
 pub struct SeriesWriter {
     parts: Parts,
     schema: SchemaRef,
@@ -57,13 +57,16 @@ impl SeriesWriter {
             .chain(keys.iter().map(Key::field))
             .chain(columns.iter().flat_map(Column::fields))
             .collect();
-        let extremes = columns.iter().enumerate().filter(|(_, column)| column.has_extremes());
-        let extremes = extremes.map(|(index, _)| index).collect();
+        let places = |has: fn(&Column) -> bool| -> Vec<usize> {
+            let wanted = columns.iter().enumerate().filter(|(_, column)| has(column));
+            wanted.map(|(index, _)| index).collect()
+        };
+        let (means, extremes) = (places(Column::has_mean), places(Column::has_extremes));
         Ok(Self {
             parts: Parts::create(folder, name)?,
             buffers: vec![vec![]; fields.len() - 1 - keys.len()],
             schema: Arc::new(Schema::new(fields)),
-            accumulator: Accumulator::new(rows, columns.len(), extremes),
+            accumulator: Accumulator::new(rows, columns.len(), means, extremes),
             columns,
             keys,
             rows,
@@ -97,13 +100,17 @@ impl SeriesWriter {
                 buffer.extend(values);
             }
         };
-        let mut place = 0;
+        let (mut mean, mut extreme) = (0, 0);
         for (index, column) in self.columns.iter().enumerate() {
             store(&mut self.accumulator.last(index));
+            if column.has_mean() {
+                store(&mut self.accumulator.mean(mean));
+                mean += 1;
+            }
             if column.has_extremes() {
-                store(&mut self.accumulator.lowest(place));
-                store(&mut self.accumulator.highest(place));
-                place += 1;
+                store(&mut self.accumulator.lowest(extreme));
+                store(&mut self.accumulator.highest(extreme));
+                extreme += 1;
             }
         }
         self.accumulator.restart();
@@ -143,7 +150,7 @@ impl SeriesWriter {
         arrays.extend(self.keys.iter().map(|key| key.array(count)));
 
         let stored = self.columns.iter().flat_map(|column| {
-            let count = if column.has_extremes() { 3 } else { 1 };
+            let count = 1 + usize::from(column.has_mean()) + 2 * usize::from(column.has_extremes());
             std::iter::repeat_n(column, count)
         });
         let values = stored.zip(&self.buffers);

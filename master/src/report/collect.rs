@@ -29,14 +29,22 @@ pub(super) struct Results {
     pub train: SeriesReader,
     /// The vehicles.
     pub vehicles: SeriesReader,
+    /// Further outputs of vehicles, if any are recorded.
+    pub outputs: Option<SeriesReader>,
 }
 
 impl Results {
     /// Opens `manifest.toml` and `series/` in `folder`.
     pub fn open(folder: &Path) -> Result<Self, ReportError> {
         let series = folder.join("series");
+        let facts = read_toml::<Manifest>(&folder.join("manifest.toml"))?.run;
+        let outputs = match facts.outputs.is_empty() || facts.train_alone {
+            true => None,
+            false => Some(SeriesReader::open(&series, "outputs")?),
+        };
         Ok(Self {
-            facts: read_toml::<Manifest>(&folder.join("manifest.toml"))?.run,
+            facts,
+            outputs,
             train: SeriesReader::open(&series, "train")?,
             vehicles: SeriesReader::open(&series, "vehicles")?,
         })
@@ -49,7 +57,7 @@ impl Results {
 /// When one of them is missing or cannot be read.
 pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
     let results = Results::open(folder)?;
-    let Results { facts, train, vehicles } = &results;
+    let Results { facts, train, vehicles, .. } = &results;
     let leading = [("vehicle", KeyValue::Integer(1))];
     let time = vehicles.read("time", &leading)?;
     let positions = vehicles.read("position", &[])?;

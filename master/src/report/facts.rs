@@ -16,6 +16,9 @@ pub struct RunFacts {
     pub locomotives: Vec<usize>,
     /// Places in the train, from 1, of the vehicles that the report plots.
     pub plotted: Vec<usize>,
+    /// Names of further outputs that are recorded, with `*` for any text.
+    #[serde(default)]
+    pub outputs: Vec<String>,
     /// The heated rails; none without rail heat.
     #[serde(default)]
     pub rails: Option<RailFacts>,

@@ -149,6 +149,7 @@ fn write_field(store: &Path) {
 
 pub fn facts() -> RunFacts {
     RunFacts {
+        outputs: vec![],
         train_alone: false,
         title: "Curve <test> & more".to_owned(),
         vehicles: VEHICLES,

@@ -4,6 +4,7 @@ use super::ReportError;
 use super::collect::Results;
 use super::data::MainFigure;
 use super::facts::RunFacts;
+use super::output_figures;
 use super::quantity::{seconds, with_unit};
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
@@ -59,6 +60,9 @@ pub(super) fn of_run(results: &Results) -> Result<Vec<MainFigure>, ReportError> 
     let extremes = if results.facts.train_alone { &EXTREMES[..2] } else { &EXTREMES[..] };
     for &(key, name, column, unit, extreme) in extremes {
         figures.extend(of_vehicles(&results.vehicles, (key, name), column, unit, extreme)?);
+    }
+    if let Some(outputs) = &results.outputs {
+        figures.extend(output_figures::of_run(&results.facts.outputs, outputs)?);
     }
     figures.extend(speed_of_run(&results.facts, &results.train)?);
     Ok(figures)

@@ -7,6 +7,7 @@
 //! | `facts.rs` | what the run itself adds to the results: the part `[run]` of the manifest |
 //! | `collect.rs` | reads it from the folder of a run |
 //! | `main_figures.rs` | the table of main figures |
+//! | `output_figures.rs` | what the run says of further outputs that were recorded |
 //! | `rail_figures.rs` | what the run says of each rail |
 //! | `quantity.rs` | numbers with SI prefixes |
 //! | `figures.rs` | the figures with curves |
@@ -28,6 +29,7 @@ mod heat_by_source;
 mod heat_map;
 mod line_chart;
 mod main_figures;
+mod output_figures;
 mod page;
 mod palette;
 mod quantity;

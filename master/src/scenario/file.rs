@@ -247,6 +247,11 @@ pub struct Record {
     /// report plots; left out: the locomotive at the head, a second one, and three more.
     #[garde(inner(range(min = 1)))]
     pub wheels_of: Vec<usize>,
+    /// Further outputs of these vehicles, by their names in the FMU, where `*` stands for any text:
+    /// `"*.derailment_quotient"`. They stand in `series/outputs`, with their means and extremes, and
+    /// the main figures have the highest and the lowest mean of each name.
+    #[garde(inner(length(min = 1)))]
+    pub outputs: Vec<String>,
     /// Times whose temperature field the report shows, s.
     #[garde(inner(range(min = 0.0)))]
     pub heat_maps_at_s: Vec<f64>,
@@ -255,7 +260,12 @@ pub struct Record {
 impl Default for Record {
     /// 10 Hz, and the times of the paper's figures 11 and 12.
     fn default() -> Self {
-        Self { interval_s: 0.1, wheels_of: vec![], heat_maps_at_s: vec![60.0, 160.0] }
+        Self {
+            interval_s: 0.1,
+            wheels_of: vec![],
+            outputs: vec![],
+            heat_maps_at_s: vec![60.0, 160.0],
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Random irregularities by power spectral densities, the same ones for the same seed.
 //!
 //! Densities over the wavenumber Ω (rad/m), form and constants of ERRI B176 as Claus and Schiehlen
-//! (1998) give them (from memory of the field, not re-read):
+//! (1998) give them (from memory of the field, not re-read; eqs 36, 37):
 //!
 //!   vertical, lateral    S = A Ωc²/((Ω² + Ωr²)(Ω² + Ωc²))
 //!   cross level          S = A_v/b² Ωc² Ω²/((Ω² + Ωr²)(Ω² + Ωc²)(Ω² + Ωs²))   (as an angle)

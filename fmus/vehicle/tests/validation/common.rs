@@ -12,6 +12,10 @@ use vehicle::structure::{Structure, WheelsetData};
 /// Friction coefficient of the reference set.
 pub const FRICTION: f64 = 0.36;
 
+/// Every vehicle with a multibody section of its own.
+pub const VEHICLES: [&str; 4] =
+    ["locomotive-coco-134t", "manchester-vehicle-1", "wagon-ore-40t", "wagon-ore-40t-empty"];
+
 /// A level curve without end.
 pub const CURVE_800: &str = "alignment = [{ length_m = 1e6, radius_m = 800.0 }]";
 
@@ -26,6 +30,13 @@ pub const TRANSITION: &str = "
         { length_m = 600.0, radius_m = 800.0, cant_mm = 40.0 },
         { length_m = 50.0, transition = true },
     ]";
+
+/// Elastic support of the rails.
+pub const SUPPORT: &str = "[support]
+    lateral_stiffness_n_m = 25e6
+    lateral_damping_n_s_m = 50e3
+    vertical_stiffness_n_m = 60e6
+    vertical_damping_n_s_m = 100e3";
 
 /// The reference set.
 pub fn locomotive() -> Arc<Structure> {

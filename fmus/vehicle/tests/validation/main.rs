@@ -3,7 +3,10 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `reference_set.rs` | the representative Co-Co locomotive against independent figures |
+//! | `statics.rs` | the representative Co-Co locomotive against independent figures: loads, modes |
+//! | `running.rs` | balances of force, moment and energy; Klingel; free curving |
+//! | `starting.rs` | the start in equilibrium, in tight curves and at standstill |
+//! | `stepping.rs` | convergence of the step, any speed, saved states |
 //! | `contacts.rs` | several contacts a wheel, wheels off their rails |
 //! | `manchester.rs` | creepages of the Manchester contact benchmark |
 //! | `vehicles.rs` | all vehicles of the stock library; the track under them; critical speeds |
@@ -14,5 +17,8 @@ mod acceptance;
 mod common;
 mod contacts;
 mod manchester;
-mod reference_set;
+mod running;
+mod starting;
+mod statics;
+mod stepping;
 mod vehicles;

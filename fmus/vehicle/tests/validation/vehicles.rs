@@ -5,10 +5,6 @@ use vehicle::dynamics::Dynamics;
 use vehicle::inputs::Inputs;
 use vehicle::linear::{Rolling, Surfaces, System};
 
-/// Every vehicle with a multibody section.
-const VEHICLES: [&str; 4] =
-    ["locomotive-coco-134t", "manchester-vehicle-1", "wagon-ore-40t", "wagon-ore-40t-empty"];
-
 /// All wheels together carry the weight; left and right are alike.
 #[test]
 fn analytic_static_loads_of_all_vehicles() {
@@ -109,12 +105,6 @@ fn property_stops_in_a_curve_and_starts_again() {
 
 const ERRI: &str = "[irregularity]
     spectrum = { quality = 'erri-high', seed = 3, begin_m = 1020.0, length_m = 400.0 }";
-
-const SUPPORT: &str = "[support]
-    lateral_stiffness_n_m = 25e6
-    lateral_damping_n_s_m = 50e3
-    vertical_stiffness_n_m = 60e6
-    vertical_damping_n_s_m = 100e3";
 
 /// Work in less heat and what is stored, against what was turned over, after a run.
 fn energy_error(vehicle: &mut Dynamics, time: f64, inputs: &Inputs) -> f64 {

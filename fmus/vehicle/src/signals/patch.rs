@@ -6,7 +6,7 @@ use crate::wheel_output::PatchOutput;
 
 /// Handles of a contact patch.
 #[derive(Debug)]
-pub(crate) struct PatchSignals {
+pub(super) struct PatchSignals {
     creepage: [Real; 3],
     longitudinal: Real,
     lateral: Real,
@@ -20,7 +20,7 @@ pub(crate) struct PatchSignals {
 
 impl PatchSignals {
     /// Declares the patch `number`, counted from one, of the `wheel`, such as `wheelset[1].left`.
-    pub(crate) fn declare(d: &mut Declaration, wheel: &str, number: usize) -> Self {
+    pub fn declare(d: &mut Declaration, wheel: &str, number: usize) -> Self {
         let place = match number {
             1 => "the one nearest to the tread".into(),
             _ => format!("number {number} towards the flange"),
@@ -59,7 +59,7 @@ impl PatchSignals {
     }
 
     /// Shows the patch; one that was not there and still is not costs nothing.
-    pub(crate) fn write(&self, patch: &PatchOutput, values: &mut Values) {
+    pub fn write(&self, patch: &PatchOutput, values: &mut Values) {
         if patch.normal == 0.0 && values[self.normal] == 0.0 {
             return;
         }

@@ -1,5 +1,5 @@
 //! Forces between a wheelset and its track as acceptance tests judge them (EN 14363): Y and Q of each
-//! wheel, Y/Q, the sum of Y, and wheel unloading.
+//! wheel, Y/Q, the sum of Y, and wheel unloading (eqs 38 to 40).
 
 use fmu::{Declaration, Real, Values, unit};
 
@@ -7,7 +7,7 @@ use crate::wheel_output::WheelOutput;
 
 /// Handles of a wheelset's track forces.
 #[derive(Debug)]
-pub(crate) struct TrackForceSignals {
+pub(super) struct TrackForceSignals {
     wheels: [WheelTrackForces; 2],
     lateral_sum: Real,
 }

@@ -1,0 +1,68 @@
+//! Further outputs of vehicles in the recording, and files that a track file names.
+
+use hotfoot::recording::{KeyValue, SeriesReader};
+use hotfoot_tests::SmallScenario;
+
+/// Two vehicles without rail heat that record these outputs of both.
+fn scenario(outputs: &str) -> SmallScenario {
+    let mut scenario = SmallScenario::new(0.2);
+    scenario.text = scenario.text.replace("count = 4", "count = 1");
+    let heat = scenario.text.find("[heat]").unwrap();
+    scenario.text.truncate(heat);
+    scenario.text += &format!("[record]\nwheels_of = [1, 2]\noutputs = [{outputs}]\n");
+    scenario
+}
+
+/// The table of further outputs.
+fn outputs(scenario: &SmallScenario) -> SeriesReader {
+    SeriesReader::open(&scenario.results().join("series"), "outputs").unwrap()
+}
+
+/// The vertical forces of each vehicle's wheels add up to its weight, 134 t x 9.81 m/s2 each, in the
+/// mean over 0.1 s on straight track; 1 %, as the train may pitch a little.
+#[test]
+fn analytic_recorded_wheel_loads_carry_the_weight() {
+    let scenario = scenario("\"*.track_force.vertical\"");
+    scenario.run_well(&[]);
+    let table = outputs(&scenario);
+    let names: Vec<String> = table.columns().map(|column| column.name().clone()).collect();
+    let means: Vec<&String> = names.iter().filter(|name| name.ends_with("_mean")).collect();
+    assert_eq!(means.len(), 12, "{names:?}");
+    for vehicle in [1, 2] {
+        let keys = [("vehicle", KeyValue::Integer(vehicle))];
+        let last = |name: &&String| *table.read(name, &keys).unwrap().last().unwrap();
+        let sum: f64 = means.iter().map(last).sum();
+        assert!((sum / (134e3 * 9.81) - 1.0).abs() < 1e-2, "vehicle {vehicle}: {sum} N");
+    }
+}
+
+#[test]
+fn an_output_that_no_vehicle_has_is_named() {
+    let output = scenario("\"*.derailment\"").run(&[]);
+    assert!(!output.status.success());
+    let text = String::from_utf8_lossy(&output.stderr);
+    assert!(text.contains("record.outputs") && text.contains("\"*.derailment\""), "{text}");
+}
+
+/// Where both rails lie 10 mm low the body does; 0.3 mm, as the contacts give way by 0.1 mm and
+/// traction pitches the body a little.
+#[test]
+fn analytic_measured_irregularities_reach_the_vehicle() {
+    let mut scenario = scenario("\"body.vertical\"");
+    scenario.track += "[irregularity]\nfile = \"measured.csv\"\n";
+    let header = "chainage_m,left_lateral_mm,left_vertical_mm,right_lateral_mm,right_vertical_mm";
+    let file = scenario.folder.path().join("measured.csv");
+    std::fs::write(&file, format!("{header}\n-100,0,10,0,10\n0,0,10,0,10\n100,0,10,0,10\n"))
+        .unwrap();
+    scenario.run_well(&[]);
+    let keys = [("vehicle", KeyValue::Integer(1))];
+    let vertical = outputs(&scenario).read("body.vertical", &keys).unwrap()[0];
+    assert!((vertical - 10e-3).abs() < 0.3e-3, "{vertical} m");
+
+    // A wrong value is told under the name of the file that the user wrote, not of its packed copy.
+    std::fs::write(&file, format!("{header}\n-100,0,0,0,ten\n0,0,0,0,10\n")).unwrap();
+    let output = scenario.run(&[]);
+    assert!(!output.status.success());
+    let text = String::from_utf8_lossy(&output.stderr);
+    assert!(text.contains(&*file.display().to_string()) && text.contains("ten"), "{text}");
+}
