@@ -120,6 +120,29 @@ fn a_step_of_zero_for_a_package_is_answered() {
     assert_says(&refusal(&scenario.hotfoot(&run)), &["--step 0", "greater than zero"]);
 }
 
+/// What a scenario sets for a single vehicle travels with the package, an input too.
+#[test]
+fn an_input_that_keeps_a_value_is_in_the_package() {
+    let mut scenario = SmallScenario::new(1.0);
+    let vehicle = fmu("vehicle").display().to_string();
+    scenario.text += &format!(
+        "\n[fmus]\nvehicle_at = [{{ place = 3, file = \"{vehicle}\", \
+         parameters = {{ \"friction.coefficient\" = 0.125 }} }}]\n"
+    );
+    let exported = scenario.hotfoot(&["export-ssp", "scenario.toml", "-o", "train.ssp"]);
+    assert!(exported.status.success(), "{}", String::from_utf8_lossy(&exported.stderr));
+    let package = std::fs::File::open(scenario.folder.path().join("train.ssp")).unwrap();
+    let mut package = zip::ZipArchive::new(package).unwrap();
+    let structure = package.by_name("SystemStructure.ssd").unwrap();
+    let structure = std::io::read_to_string(structure).unwrap();
+    let with_friction: Vec<_> = structure
+        .split("<ssd:Component ")
+        .filter(|component| component.contains("\"friction.coefficient\""))
+        .collect();
+    assert_eq!(with_friction.len(), 1, "{structure}");
+    assert_says(with_friction[0], &["name=\"vehicle_3\"", "value=\"0.125\""]);
+}
+
 /// The small scenario with one more line in its table of heat.
 fn with_heat(line: &str) -> SmallScenario {
     let mut scenario = SmallScenario::new(1.0);

@@ -123,6 +123,20 @@ fn an_fmu_that_crashes_is_named_and_all_that_was_recorded_is_there() {
     }
 }
 
+/// The run of a package is a child process as that of a scenario is.
+#[test]
+fn an_fmu_that_crashes_the_run_of_a_package_is_named_and_what_was_recorded_is_there() {
+    let scenario = scenario("ABORT", &Claims::default());
+    let exported = scenario.hotfoot(&["export-ssp", "scenario.toml", "-o", "train.ssp"]);
+    assert!(exported.status.success(), "{}", text(&exported.stderr));
+    let run = ["run", "train.ssp", "--quiet", "--interval", "0.01", "--results", "results"];
+    let message = refusal(&scenario.hotfoot(&run));
+    let parts = ["vehicle_2", "hostile.fmu", "fmi2DoStep crashed", "SIGABRT", "the results until"];
+    assert_says(&message, &parts);
+    let reader = SeriesReader::open(&scenario.results().join("series"), "vehicle_1").unwrap();
+    assert_eq!(reader.read("time", &[]).unwrap(), until_trouble());
+}
+
 #[test]
 fn a_wrong_guid_is_refused_with_what_the_fmu_says() {
     let claims = Claims { guid: "{another}", ..Claims::default() };

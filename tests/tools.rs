@@ -40,6 +40,15 @@ fn analytic_a_cone_has_its_conicity() {
     }
 }
 
+/// The cone of the same wavelength is the cone itself, at every amplitude (EN 15302). Tolerance as above.
+#[test]
+fn analytic_a_cone_has_its_equivalent_conicity() {
+    let table = rows(&["contact", "--wheel", "cone-1-20", "--from-mm", "1", "--to-mm", "3"]);
+    for conicity in column(&table, "equivalent_conicity") {
+        assert!((0.05..0.055).contains(&conicity), "{conicity}");
+    }
+}
+
 /// Two profiles that meet in the middle do so alike on both sides.
 #[test]
 fn property_a_centred_wheelset_stands_alike_on_both_rails() {
@@ -56,4 +65,63 @@ fn an_unknown_profile_is_named() {
     assert!(!output.status.success());
     let text = String::from_utf8_lossy(&output.stderr);
     assert!(text.contains("S9999") && !text.contains("panicked"), "{text}");
+}
+
+/// The SVG that a command draws.
+fn plot(arguments: &[&str]) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("plot.svg");
+    let output = hotfoot(root(), &[arguments, &["--plot", file.to_str().unwrap()]].concat());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let told = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(told.trim(), file.display().to_string(), "the file instead of the rows");
+    std::fs::read_to_string(&file).unwrap()
+}
+
+/// Every panel is there with its name and unit, and a dot for each contact that bears a load.
+#[test]
+fn a_contact_plot_shows_every_contact_in_every_panel() {
+    let displacements = ["--from-mm", "1", "--to-mm", "3", "--step-mm", "1"];
+    let arguments = [&["contact"], &displacements[..]].concat();
+    let svg = plot(&arguments);
+    for name in [
+        "S1002 on 60E1 1:40, 100 kN a wheel",
+        "rolling radii, right less left, in mm",
+        "equivalent conicity",
+        "contact angle in mrad",
+        "normal force in N",
+        "contact on the rail in mm",
+        "contact on the wheel in mm",
+        "semi-axis a along in mm",
+        "semi-axis b across in mm",
+    ] {
+        assert!(svg.contains(name), "{name} is missing");
+    }
+    let loads = column(&rows(&arguments), "normal_force_n");
+    let loaded = loads.iter().filter(|load| **load > 0.0).count();
+    let (panels, legend) = (6, 4);
+    assert_eq!(svg.matches("<circle").count(), panels * loaded + legend);
+}
+
+#[test]
+fn a_creep_plot_has_the_creepage_that_changes_as_its_axis() {
+    let contact = ["--load", "1e5", "--semi-axes-mm", "6", "6"];
+    let lateral = ["creep", "--longitudinal", "0.001", "--lateral", "0,0.001,0.002"];
+    let svg = plot(&[&lateral[..], &contact].concat());
+    assert!(svg.contains("lateral creepage") && !svg.contains("longitudinal creepage"));
+    assert!(svg.contains("friction power in W") && svg.contains("flash temperature, rise in K"));
+}
+
+#[test]
+fn a_plot_that_cannot_be_is_refused_with_the_remedy() {
+    let contact = ["creep", "--load", "1e5", "--semi-axes-mm", "6", "6"];
+    for (arguments, remedy) in [
+        (&["--plot", "creep.svg"][..], "a list of creepages that differ"),
+        (&["--longitudinal", "0,0.01", "--plot", "creep.png"], "must end in .svg"),
+    ] {
+        let output = hotfoot(root(), &[&contact[..], arguments].concat());
+        assert!(!output.status.success());
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert!(text.contains(remedy), "{text}");
+    }
 }

@@ -7,6 +7,8 @@ use std::path::{Component, Path, PathBuf};
 use zip::CompressionMethod;
 use zip::write::SimpleFileOptions;
 
+use crate::file_error::FileError;
+
 /// How much may come out of an archive.
 #[derive(Debug, Clone, Copy)]
 struct Limits {
@@ -23,13 +25,8 @@ const LIMITS: Limits = Limits { bytes: 2 << 30, files: 100_000 };
 #[derive(Debug, thiserror::Error)]
 pub enum ArchiveError {
     /// A file cannot be read or written.
-    #[error("{path}: {source}")]
-    Io {
-        /// Path concerned.
-        path: String,
-        /// Reason.
-        source: io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// Not a zip archive, or damaged.
     #[error("{path} is not a usable FMU: {source}; an FMU is a zip archive")]
     Damaged {
@@ -58,10 +55,6 @@ pub enum ArchiveError {
     },
 }
 
-fn io_error(path: &Path) -> impl FnOnce(io::Error) -> ArchiveError + '_ {
-    move |source| ArchiveError::Io { path: path.display().to_string(), source }
-}
-
 /// Unpacks `archive` into the folder `target`: no paths outside, no links, limited size.
 ///
 /// # Errors
@@ -73,7 +66,7 @@ pub fn unpack(archive: &Path, target: &Path) -> Result<(), ArchiveError> {
 fn unpack_within(limits: Limits, archive: &Path, target: &Path) -> Result<(), ArchiveError> {
     let path = || archive.display().to_string();
     let damaged = |source| ArchiveError::Damaged { path: path(), source };
-    let file = fs::File::open(archive).map_err(io_error(archive))?;
+    let file = fs::File::open(archive).map_err(FileError::at(archive))?;
     let mut zip = zip::ZipArchive::new(file).map_err(damaged)?;
     let too_large = |what| ArchiveError::TooLarge { path: path(), what };
     if zip.len() > limits.files {
@@ -95,16 +88,16 @@ fn unpack_within(limits: Limits, archive: &Path, target: &Path) -> Result<(), Ar
         let inside = safe_path(&name).ok_or_else(|| refuse("leads out of the archive's folder"))?;
         let destination = target.join(inside);
         if entry.is_dir() {
-            fs::create_dir_all(&destination).map_err(io_error(&destination))?;
+            fs::create_dir_all(&destination).map_err(FileError::at(&destination))?;
             continue;
         }
         if let Some(folder) = destination.parent() {
-            fs::create_dir_all(folder).map_err(io_error(folder))?;
+            fs::create_dir_all(folder).map_err(FileError::at(folder))?;
         }
-        let mut out = fs::File::create(&destination).map_err(io_error(&destination))?;
+        let mut out = fs::File::create(&destination).map_err(FileError::at(&destination))?;
         // The stated size may lie, so what is unpacked is counted.
         let written = io::copy(&mut entry.by_ref().take(left + 1), &mut out)
-            .map_err(io_error(&destination))?;
+            .map_err(FileError::at(&destination))?;
         left = left.checked_sub(written).ok_or_else(too_many_bytes)?;
     }
     Ok(())
@@ -117,7 +110,7 @@ fn unpack_within(limits: Limits, archive: &Path, target: &Path) -> Result<(), Ar
 /// When the archive cannot be read or is damaged.
 pub fn uncommon_entries(archive: &Path) -> Result<Vec<(String, String)>, ArchiveError> {
     let damaged = |source| ArchiveError::Damaged { path: archive.display().to_string(), source };
-    let file = fs::File::open(archive).map_err(io_error(archive))?;
+    let file = fs::File::open(archive).map_err(FileError::at(archive))?;
     let mut zip = zip::ZipArchive::new(file).map_err(damaged)?;
     let mut uncommon = vec![];
     for i in 0..zip.len() {
@@ -149,9 +142,9 @@ fn safe_path(entry: &str) -> Option<PathBuf> {
 pub fn pack(folder: &Path, archive: &Path) -> Result<(), ArchiveError> {
     let damaged = |source| ArchiveError::Damaged { path: archive.display().to_string(), source };
     let mut files = vec![];
-    list_files(folder, &mut files).map_err(io_error(folder))?;
+    list_files(folder, &mut files).map_err(FileError::at(folder))?;
     files.sort();
-    let out = fs::File::create(archive).map_err(io_error(archive))?;
+    let out = fs::File::create(archive).map_err(FileError::at(archive))?;
     let mut zip = zip::ZipWriter::new(out);
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Deflated)
@@ -160,8 +153,8 @@ pub fn pack(folder: &Path, archive: &Path) -> Result<(), ArchiveError> {
         let name = file.strip_prefix(folder).unwrap_or(&file).to_string_lossy().replace('\\', "/");
         let permissions = if name.starts_with("binaries/") { 0o755 } else { 0o644 };
         zip.start_file(name, options.unix_permissions(permissions)).map_err(damaged)?;
-        let content = fs::read(&file).map_err(io_error(&file))?;
-        zip.write_all(&content).map_err(io_error(archive))?;
+        let content = fs::read(&file).map_err(FileError::at(&file))?;
+        zip.write_all(&content).map_err(FileError::at(archive))?;
     }
     zip.finish().map_err(damaged)?;
     Ok(())
@@ -257,10 +250,7 @@ mod tests {
         }
         fs::write(&path, bytes).unwrap();
         let error = unpack_within(SMALL, &path, &folder.path().join("target")).unwrap_err();
-        assert!(
-            matches!(error, ArchiveError::TooLarge { .. } | ArchiveError::Io { .. }),
-            "{error}"
-        );
+        assert!(matches!(error, ArchiveError::TooLarge { .. } | ArchiveError::File(_)), "{error}");
     }
 
     #[test]

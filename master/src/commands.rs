@@ -10,7 +10,7 @@ use miette::{IntoDiagnostic, Result, miette};
 use crate::pack::{self, Binary};
 use crate::run::{self, Options};
 use crate::ssp::{self, SystemOptions};
-use crate::{archive, expected, recording, reference, report, scenario, supervise};
+use crate::{archive, expected, recording, reference, report, scenario, supervise, workplace};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
@@ -91,7 +91,7 @@ pub fn run(arguments: &RunArguments) -> Result<()> {
         return run_here(arguments);
     }
     let results =
-        arguments.results.clone().unwrap_or_else(|| run::new_results(&arguments.scenario));
+        arguments.results.clone().unwrap_or_else(|| workplace::new_results(&arguments.scenario));
     let further = match arguments.results {
         Some(_) => vec![],
         None => vec!["--results".into(), results.clone().into_os_string()],
@@ -144,7 +144,7 @@ fn run_system(arguments: &RunArguments) -> Result<()> {
 /// When the scenario is wrong, a unit fails, or the package cannot be written.
 pub fn export_ssp(arguments: &ExportArguments) -> Result<()> {
     let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
-    let name = || run::scenario_name(&arguments.scenario);
+    let name = || workplace::scenario_name(&arguments.scenario);
     let target = arguments.output.clone().unwrap_or_else(|| format!("{}.ssp", name()).into());
     let exported = ssp::export(&arguments.scenario, &fmus, &target)?;
     println!(

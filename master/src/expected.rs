@@ -18,27 +18,15 @@ use std::fmt;
 use std::path::Path;
 
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
+
+use crate::file_error::{FileError, read_toml};
 
 /// Why figures cannot be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum ExpectedError {
-    /// A file cannot be read.
-    #[error("{file}: {source}")]
-    Read {
-        /// File.
-        file: String,
-        /// Reason.
-        source: std::io::Error,
-    },
-    /// A file is not what it should be.
-    #[error("{file}: {source}")]
-    Syntax {
-        /// File.
-        file: String,
-        /// Reason, with line and caret.
-        source: Box<toml::de::Error>,
-    },
+    /// A file cannot be read, or is not what it should be.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// A figure has a value and a limit.
     #[error("{file}: figure \"{key}\" has a value and a limit; give each an entry of its own")]
     Both {
@@ -155,8 +143,8 @@ impl fmt::Display for Comparison {
 /// # Errors
 /// When a file cannot be read, or the run is not the one of the file.
 pub fn compare(results: &Path, file: &Path) -> Result<Vec<Comparison>, ExpectedError> {
-    let manifest: Manifest = read(&results.join("manifest.toml"))?;
-    let expected: Expected = read(file)?;
+    let manifest: Manifest = read_toml(&results.join("manifest.toml"))?;
+    let expected: Expected = read_toml(file)?;
     let (found, wanted) = (manifest.simulated_s, expected.simulated_s);
     if (found - wanted).abs() > 1e-6 * wanted {
         return Err(ExpectedError::Time { found, expected: wanted });
@@ -192,15 +180,6 @@ impl ExpectedFigure {
             None if self.has_limits() => Wanted::Limits(limits[0], limits[1]),
             None => Wanted::None,
         }
-    }
-}
-
-fn read<T: DeserializeOwned>(file: &Path) -> Result<T, ExpectedError> {
-    let name = file.display().to_string();
-    match std::fs::read_to_string(file) {
-        Ok(text) => toml::from_str(&text)
-            .map_err(|source| ExpectedError::Syntax { file: name, source: Box::new(source) }),
-        Err(source) => Err(ExpectedError::Read { file: name, source }),
     }
 }
 

@@ -4,7 +4,7 @@
 //! | place | part |
 //! |---|---|
 //! | `scenario/` | the scenario file |
-//! | `prepare.rs`, `prepare_rail.rs`, `parameters.rs`, `resources.rs` | from a scenario to wired units |
+//! | `prepare.rs`, `prepare_vehicles.rs`, `prepare_rail.rs`, `parameters.rs`, `resources.rs` | from a scenario to wired units |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `fmi/`, `interface.rs`, `archive.rs` | import of FMUs |
 //! | `check/` | the rules of FMI 2.0 for an FMU |
@@ -15,6 +15,7 @@
 //! | `traffic.rs`, `tape.rs` | what the rails go through after the run |
 //! | `synchronisation.rs` | gains of the controllers that keep vehicles at their place |
 //! | `run.rs`, `stepping.rs`, `finished.rs`, `observe.rs`, `observe_rail.rs`, `observe_outputs.rs`, `name_pattern.rs`, `progress.rs`, `times.rs`, `manifest.rs` | a run and what is kept of it |
+//! | `workplace.rs`, `error.rs`, `file_error.rs` | threads and the folder of a run, and why it failed |
 //! | `recording/`, `report/` | series files and the report |
 //! | `expected.rs` | the figures of a run against those expected of its scenario |
 //! | `supervise.rs` | a run in a child process, which an FMU may crash |
@@ -25,7 +26,9 @@ mod archive;
 pub mod check;
 pub mod commands;
 mod documentation;
+mod error;
 mod expected;
+mod file_error;
 mod finished;
 mod fmi;
 mod foresee;
@@ -42,6 +45,7 @@ mod parameters;
 mod port;
 mod prepare;
 mod prepare_rail;
+mod prepare_vehicles;
 mod progress;
 mod rail;
 pub mod recording;
@@ -61,12 +65,14 @@ mod tape;
 mod times;
 mod traffic;
 mod unit;
+mod workplace;
 
 #[cfg(test)]
 mod lockstep_tests;
 #[cfg(test)]
 mod mock;
 
+pub use error::RunError;
 pub use fmi::{FmuInstance, Import};
 pub use interface::Interface;
 pub use lockstep::{Clock, Lockstep, Train, Vehicle};
@@ -75,5 +81,5 @@ pub use port::{Port, Signal};
 pub use prepare::{Folders, prepare};
 pub use rail::Rail;
 pub use roles::Role;
-pub use run::{Options, RunError, run};
+pub use run::{Options, run};
 pub use unit::{Unit, UnitError};

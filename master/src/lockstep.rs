@@ -87,9 +87,18 @@ impl Lockstep {
 
     /// All units, in the order of [`units`](Self::units).
     pub fn units_mut(&mut self) -> impl Iterator<Item = &mut Box<dyn Unit>> {
-        let vehicles = self.vehicles.iter_mut().map(|vehicle| &mut vehicle.unit);
-        let rails = self.rails.iter_mut().map(|rail| &mut rail.unit);
-        std::iter::once(&mut self.train.unit).chain(vehicles).chain(rails)
+        self.units_with_constants().map(|(unit, _)| unit)
+    }
+
+    /// All units, in the same order, with their inputs that keep a value: references and values.
+    pub fn units_with_constants(
+        &mut self,
+    ) -> impl Iterator<Item = (&mut Box<dyn Unit>, &[(u32, f64)])> {
+        let Self { train, vehicles, rails, .. } = self;
+        let train = (&mut train.unit, train.constants.as_slice());
+        let vehicles = vehicles.iter_mut().map(|v| (&mut v.unit, v.constants.as_slice()));
+        let rails = rails.iter_mut().map(|rail| (&mut rail.unit, rail.constants.as_slice()));
+        std::iter::once(train).chain(vehicles).chain(rails)
     }
 
     /// The time to which the rails have come after so many steps, s.

@@ -12,7 +12,7 @@ use crate::rail::Rail;
 use crate::roles::{self, rail_input, vehicle_input, vehicle_output};
 use crate::scenario::Scheme;
 use crate::tape::Tape;
-use crate::unit::Unit;
+use crate::unit::{Unit, terminate};
 
 const VEHICLES: usize = 2;
 const STEP: f64 = 0.5;
@@ -220,7 +220,7 @@ fn no_unit_is_read_between_a_set_and_its_step() {
 fn every_unit_is_told_the_end() {
     let (mut lockstep, calls) = lockstep(Scheme::Sequential, 1);
     run(&mut lockstep, 1);
-    lockstep.terminate().unwrap();
+    terminate(lockstep.units_mut()).unwrap();
     let calls = calls.lock().unwrap();
     assert_eq!(calls.iter().filter(|call| call.ends_with("terminate")).count(), 4);
 }

@@ -7,6 +7,7 @@ use std::time::Duration;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
+use crate::file_error::FileError;
 use crate::lockstep::Lockstep;
 use crate::prepare_rail::{Extent, field_file};
 use crate::report::{MainFigure, RailFacts, RunFacts};
@@ -14,15 +15,6 @@ use crate::scenario::{Heat, Scenario};
 use crate::times::StepTimes;
 use crate::traffic::Traffic;
 use crate::unit::Unit;
-
-/// The manifest cannot be written.
-#[derive(Debug)]
-pub struct ManifestError {
-    /// File.
-    pub path: String,
-    /// Reason.
-    pub source: std::io::Error,
-}
 
 /// What made the results of a run.
 #[derive(Debug, Serialize)]
@@ -122,7 +114,7 @@ impl Manifest {
     ///
     /// # Errors
     /// When the file cannot be written.
-    pub fn write(&self, results: &Path) -> Result<(), ManifestError> {
+    pub fn write(&self, results: &Path) -> Result<(), FileError> {
         write_toml(self, results)
     }
 }
@@ -145,11 +137,10 @@ fn rail_facts(scenario: &Scenario, heat: &Heat, lockstep: &Lockstep) -> RailFact
 ///
 /// # Errors
 /// When the file cannot be written.
-pub fn write_toml(manifest: &impl Serialize, results: &Path) -> Result<(), ManifestError> {
+pub fn write_toml(manifest: &impl Serialize, results: &Path) -> Result<(), FileError> {
     let path = results.join("manifest.toml");
     let text = toml::to_string(manifest).expect("a manifest is a TOML table");
-    std::fs::write(&path, text)
-        .map_err(|source| ManifestError { path: path.display().to_string(), source })
+    std::fs::write(&path, text).map_err(FileError::at(&path))
 }
 
 /// The curves of the track, for the figures; a track that cannot be read has none here, since

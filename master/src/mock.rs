@@ -13,6 +13,8 @@ pub struct Mock {
     interface: Interface,
     values: Vec<f64>,
     step: Step,
+    /// Whether its outputs follow its inputs before it steps.
+    feeds_through: bool,
     calls: Arc<Mutex<Vec<String>>>,
     name: String,
 }
@@ -39,9 +41,15 @@ impl Mock {
             interface: Interface::of(variables.iter().enumerate().map(variable)),
             values: vec![0.0; variables.len()],
             step: Box::new(step),
+            feeds_through: false,
             calls: Arc::clone(calls),
             name: name.to_owned(),
         }
+    }
+
+    /// The mock with outputs that follow its inputs before it steps, by a step of no length.
+    pub fn feeding_through(self) -> Self {
+        Self { feeds_through: true, ..self }
     }
 
     fn note(&self, call: &str) {
@@ -90,6 +98,9 @@ impl Unit for Mock {
         self.note("set");
         for (&reference, &value) in references.iter().zip(values) {
             self.values[reference as usize] = value;
+        }
+        if self.feeds_through {
+            (self.step)(&mut self.values, 0.0, 0.0);
         }
         Ok(())
     }

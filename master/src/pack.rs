@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::archive::{self, ArchiveError};
 use crate::check::TERMINALS;
 use crate::documentation::{EQUATIONS, INDEX, equations_page, with_link_to_equations};
+use crate::file_error::FileError;
 use crate::fmi::{self, ImportError, describe};
 
 /// Icon of the FMUs.
@@ -18,23 +19,14 @@ const LICENSE: &str = include_str!("../assets/license.txt");
 #[derive(Debug, thiserror::Error)]
 pub enum PackError {
     /// A file cannot be read or written.
-    #[error("{path}: {source}")]
-    Io {
-        /// Path concerned.
-        path: String,
-        /// Reason.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// The archive cannot be read or written.
     #[error(transparent)]
     Archive(#[from] ArchiveError),
     /// The binary cannot be loaded or refuses the resources.
     #[error(transparent)]
     Import(#[from] ImportError),
-}
-
-fn io_error(path: &Path) -> impl FnOnce(std::io::Error) -> PackError + '_ {
-    move |source| PackError::Io { path: path.display().to_string(), source }
 }
 
 /// Where the binary of the new FMU comes from.
@@ -51,7 +43,7 @@ pub enum Binary<'a> {
 /// # Errors
 /// When files cannot be read or written, or the model refuses the resources.
 pub fn pack(binary: Binary<'_>, resources: &Path, target: &Path) -> Result<(), PackError> {
-    let folder = tempfile::tempdir().map_err(io_error(target))?;
+    let folder = tempfile::tempdir().map_err(FileError::at(target))?;
     let base = folder.path().join("base");
     let library = match binary {
         Binary::Library(path) => path.to_owned(),
@@ -74,7 +66,7 @@ pub fn pack(binary: Binary<'_>, resources: &Path, target: &Path) -> Result<(), P
     }
     file("documentation/licenses/license.txt", LICENSE.as_bytes())?;
     file("model.png", MODEL_PNG)?;
-    let bytes = fs::read(&library).map_err(io_error(&library))?;
+    let bytes = fs::read(&library).map_err(FileError::at(&library))?;
     write(&content.join(fmi::binary_path(&description.identifier)), &bytes)?;
     copy_folder(resources, &content.join("resources"))?;
     Ok(archive::pack(&content, target)?)
@@ -86,12 +78,12 @@ pub fn pack(binary: Binary<'_>, resources: &Path, target: &Path) -> Result<(), P
 /// # Errors
 /// When a text or the FMU cannot be read or written.
 pub fn add_equations(fmu: &Path, texts: &[PathBuf]) -> Result<(), PackError> {
-    let read = |file: &PathBuf| fs::read_to_string(file).map_err(io_error(file));
+    let read = |file: &PathBuf| fs::read_to_string(file).map_err(FileError::at(file));
     let text = texts.iter().map(read).collect::<Result<Vec<_>, _>>()?.join("\n");
-    let folder = tempfile::tempdir().map_err(io_error(fmu))?;
+    let folder = tempfile::tempdir().map_err(FileError::at(fmu))?;
     archive::unpack(fmu, folder.path())?;
     let index = folder.path().join(INDEX);
-    let page = fs::read_to_string(&index).map_err(io_error(&index))?;
+    let page = fs::read_to_string(&index).map_err(FileError::at(&index))?;
     write(&index, with_link_to_equations(&page).as_bytes())?;
     write(&folder.path().join(EQUATIONS), equations_page(&text).as_bytes())?;
     Ok(archive::pack(folder.path(), fmu)?)
@@ -110,9 +102,9 @@ fn unpacked_binary(fmu: &Path, folder: &Path) -> Result<PathBuf, PackError> {
 /// When that fails.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), PackError> {
     if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder).map_err(io_error(folder))?;
+        fs::create_dir_all(folder).map_err(FileError::at(folder))?;
     }
-    fs::write(path, bytes).map_err(io_error(path))
+    Ok(fs::write(path, bytes).map_err(FileError::at(path))?)
 }
 
 /// Copies a folder with all that is in it.
@@ -120,15 +112,15 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), PackError> {
 /// # Errors
 /// When a file cannot be read or written.
 pub fn copy_folder(from: &Path, to: &Path) -> Result<(), PackError> {
-    fs::create_dir_all(to).map_err(io_error(to))?;
-    for entry in fs::read_dir(from).map_err(io_error(from))? {
-        let path = entry.map_err(io_error(from))?.path();
+    fs::create_dir_all(to).map_err(FileError::at(to))?;
+    for entry in fs::read_dir(from).map_err(FileError::at(from))? {
+        let path = entry.map_err(FileError::at(from))?.path();
         let Some(name) = path.file_name() else { continue };
         let target = to.join(name);
         if path.is_dir() {
             copy_folder(&path, &target)?;
         } else {
-            fs::copy(&path, &target).map_err(io_error(&path))?;
+            fs::copy(&path, &target).map_err(FileError::at(&path))?;
         }
     }
     Ok(())

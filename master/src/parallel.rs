@@ -20,15 +20,31 @@ pub fn for_each<T: Send, E: Send>(
     first_error.map_or(Ok(()), |(_, error)| Err(error))
 }
 
+/// The system gives no threads.
+#[derive(Debug, thiserror::Error)]
+#[error("{threads} threads cannot be started: {source}")]
+pub struct ThreadsError {
+    /// Threads wanted.
+    threads: usize,
+    /// Reason.
+    source: rayon::ThreadPoolBuildError,
+}
+
 /// A pool of `threads` threads.
 ///
 /// # Errors
 /// When the system does not give the threads.
-pub fn pool(threads: usize) -> Result<rayon::ThreadPool, rayon::ThreadPoolBuildError> {
+pub fn pool(threads: usize) -> Result<rayon::ThreadPool, ThreadsError> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .thread_name(|i| format!("hotfoot-{i}"))
         .build()
+        .map_err(|source| ThreadsError { threads, source })
+}
+
+/// All cores.
+pub fn default_threads() -> usize {
+    std::thread::available_parallelism().map_or(1, Into::into)
 }
 
 #[cfg(test)]

@@ -1,26 +1,27 @@
 //! From a scenario to units that are ready to be initialised: FMUs are packed for the consist,
 //! imported, instantiated and wired.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use controller::{Controller, Gains};
-
+use crate::file_error::FileError;
 use crate::fmi::{FmuInstance, Import, ImportError};
-use crate::lockstep::{Clock, Lockstep, Train, Vehicle};
+use crate::lockstep::{Clock, Lockstep, Train};
 use crate::pack::{Binary, PackError, pack};
-use crate::parameters::set_parameter;
 use crate::port::{Port, Signal};
 use crate::resources::{self, Origins};
-use crate::roles::{self, RoleSignals, wheelset_count};
-use crate::scenario::{Scenario, Value, VehicleReplacement};
+use crate::roles::{self, RoleSignals};
+use crate::scenario::Scenario;
 use crate::times::StepTimes;
 use crate::unit::{Unit, UnitError};
 
 /// Why a scenario cannot be set up.
 #[derive(Debug, thiserror::Error)]
 pub enum PrepareError {
+    /// A file or folder cannot be written.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// An FMU cannot be packed.
     #[error(transparent)]
     Pack(#[from] PackError),
@@ -112,9 +113,6 @@ pub fn prepare(scenario: &Scenario, folders: &Folders) -> Result<Lockstep, Prepa
     Ok(Lockstep { clock, scheme: scenario.scheme, train, vehicles, rails, times })
 }
 
-/// FMUs that replace single vehicles, by their place.
-type Replacements<'a> = HashMap<usize, (&'a VehicleReplacement, Arc<Import>)>;
-
 /// Makes units for a scenario.
 pub(crate) struct Builder<'a> {
     pub(crate) scenario: &'a Scenario,
@@ -151,84 +149,6 @@ impl Builder<'_> {
         ])
     }
 
-    fn vehicles(&self) -> Result<Vec<Vehicle>, PrepareError> {
-        let mut of_type: HashMap<&str, Arc<Import>> = HashMap::new();
-        let mut vehicles = vec![];
-        let common = self.scenario.fmus.vehicle.as_deref().map(Import::open).transpose()?;
-        let replaced = self.replacements()?;
-        if let Some(import) = &common {
-            check_instances(import, self.scenario.vehicle_count() - replaced.len())?;
-        }
-        for group in &self.scenario.train.vehicles {
-            for _ in 0..group.count {
-                let place = vehicles.len() + 1;
-                let replacement = replaced.get(&place);
-                let import = match (replacement, &common, of_type.get(group.kind.as_str())) {
-                    (Some((_, import)), _, _) => Arc::clone(import),
-                    (None, Some(import), _) | (None, None, Some(import)) => Arc::clone(import),
-                    (None, None, None) => {
-                        let import = self.packed("vehicle", &group.kind, |folder| {
-                            resources::write_vehicle(self.scenario, &group.kind, folder)
-                        })?;
-                        of_type.insert(&group.kind, Arc::clone(&import));
-                        import
-                    }
-                };
-                let nothing = (&BTreeMap::new(), &BTreeMap::new());
-                let (names, parameters) = match (replacement, &common) {
-                    (Some((other, _)), _) => (&other.names, &other.parameters),
-                    (None, Some(_)) => (&self.scenario.fmus.vehicle_names, nothing.1),
-                    (None, None) => nothing,
-                };
-                vehicles.push(self.vehicle(&import, place, names, parameters)?);
-            }
-        }
-        Ok(vehicles)
-    }
-
-    /// The FMUs for single vehicles by place; a file that stands at several is loaded once.
-    fn replacements(&self) -> Result<Replacements<'_>, PrepareError> {
-        let named = &self.scenario.fmus.vehicle_at;
-        let mut of_file: HashMap<&Path, Arc<Import>> = HashMap::new();
-        let mut replacements = HashMap::new();
-        for other in named {
-            let import = match of_file.get(other.file.as_path()) {
-                Some(import) => Arc::clone(import),
-                None => Import::open(&other.file)?,
-            };
-            let count = named.iter().filter(|same| same.file == other.file).count();
-            check_instances(&import, count)?;
-            of_file.insert(&other.file, Arc::clone(&import));
-            replacements.insert(other.place, (other, import));
-        }
-        Ok(replacements)
-    }
-
-    fn vehicle(
-        &self,
-        import: &Arc<Import>,
-        place: usize,
-        names: &BTreeMap<String, String>,
-        parameters: &BTreeMap<String, Value>,
-    ) -> Result<Vehicle, PrepareError> {
-        let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
-        let ports = connect(import, &signals, names, "vehicle")?;
-        let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
-        let mut constants = vec![];
-        for (name, value) in parameters {
-            constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
-        }
-        Ok(Vehicle {
-            unit,
-            constants,
-            start: ports.parameters,
-            inputs: ports.inputs,
-            outputs: ports.outputs,
-            controller: Controller::new(Gains::from(&self.scenario.synchronisation)),
-            controller_force: 0.0,
-        })
-    }
-
     pub(crate) fn instance(
         &self,
         import: &Arc<Import>,
@@ -249,13 +169,10 @@ impl Builder<'_> {
         write: impl FnOnce(&Path) -> Result<Origins, PackError>,
     ) -> Result<Arc<Import>, PrepareError> {
         let base = self.folders.fmus.join(format!("{base}.fmu"));
-        if !base.exists() {
-            return Err(PrepareError::NoFmu { path: base.display().to_string() });
-        }
+        check_fmu(&base)?;
         let folder = self.folders.results.join("fmus");
-        let io = |source| PackError::Io { path: folder.display().to_string(), source };
-        std::fs::create_dir_all(&folder).map_err(io)?;
-        let resources = tempfile::tempdir().map_err(io)?;
+        std::fs::create_dir_all(&folder).map_err(FileError::at(&folder))?;
+        let resources = tempfile::tempdir().map_err(FileError::at(&folder))?;
         let origins = write(resources.path())?;
         let target = folder.join(format!("{name}.fmu"));
         pack(Binary::Fmu(&base), resources.path(), &target).map_err(|error| match error {
@@ -266,6 +183,14 @@ impl Builder<'_> {
             other => other.into(),
         })?;
         Ok(Import::open_copy(&target, origins)?)
+    }
+}
+
+/// Refuses to go on without one of Hotfoot's own FMUs.
+pub(crate) fn check_fmu(path: &Path) -> Result<(), PrepareError> {
+    match path.exists() {
+        true => Ok(()),
+        false => Err(PrepareError::NoFmu { path: path.display().to_string() }),
     }
 }
 

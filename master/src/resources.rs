@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
+use crate::file_error::FileError;
 use crate::pack::{PackError, copy_folder, write};
 use crate::scenario::{Heat, Scenario, Value};
 
@@ -55,7 +56,10 @@ pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<O
         extends: &'a str,
     }
     write(&folder.join("vehicle.toml"), to_toml(&Vehicle { extends: kind }).as_bytes())?;
-    write_track_and_stock(scenario, folder)
+    let mut origins = write_track_and_stock(scenario, folder)?;
+    let original = scenario.stock.join("vehicles").join(kind).with_added_extension("toml");
+    origins.0.push(("vehicle.toml".to_owned(), original));
+    Ok(origins)
 }
 
 /// Where the file that a parameter names lies in the resources, with its own name behind.
@@ -115,8 +119,7 @@ fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, 
 }
 
 fn copy_file(from: &Path, to: &Path) -> Result<(), PackError> {
-    let bytes = std::fs::read(from)
-        .map_err(|source| PackError::Io { path: from.display().to_string(), source })?;
+    let bytes = std::fs::read(from).map_err(FileError::at(from))?;
     write(to, &bytes)
 }
 

@@ -3,23 +3,22 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use controller::Motion;
-use miette::Diagnostic;
-
+use crate::error::RunError;
 use crate::finished::{Done, Finished};
 use crate::foresee::wheels_outside;
 use crate::lockstep::Lockstep;
-use crate::manifest::{self, Manifest};
-use crate::observe::{ObserveError, Recorder};
-use crate::parallel;
-use crate::prepare::{Folders, PrepareError, prepare};
+use crate::manifest::Manifest;
+use crate::observe::Recorder;
+use crate::prepare::{Folders, prepare};
 use crate::prepare_rail::Extent;
 use crate::progress::Progress;
-use crate::report::{self, MainFigure, ReportError};
-use crate::scenario::{self, Scenario, ScenarioError};
-use crate::stepping::{FailedStep, StepFailure, Stepping};
+use crate::report::{self, MainFigure};
+use crate::scenario::{self, Scenario};
+use crate::start::{StartError, start_of};
+use crate::stepping::Stepping;
 use crate::traffic::Traffic;
-use crate::unit::{Unit, UnitError};
+use crate::unit::{take_warnings, terminate};
+use crate::workplace::Workplace;
 
 /// How a scenario is run.
 #[derive(Debug, Clone, Default)]
@@ -36,59 +35,6 @@ pub struct Options {
     pub quiet: bool,
 }
 
-/// Why a run failed.
-#[derive(Debug, thiserror::Error, Diagnostic)]
-pub enum RunError {
-    /// The scenario is wrong.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Scenario(#[from] ScenarioError),
-    /// The units cannot be set up.
-    #[error(transparent)]
-    Prepare(#[from] PrepareError),
-    /// A unit cannot be initialised.
-    #[error("initialisation: {0}")]
-    Start(UnitError),
-    /// A unit failed while running; what was recorded before is kept.
-    #[error("at {time} s: {source}; the results until then are in {results}")]
-    Step {
-        /// Time at which the step began, s.
-        time: f64,
-        /// Reason.
-        source: UnitError,
-        /// Folder of the results.
-        results: String,
-    },
-    /// A unit could not complete what it writes.
-    #[error("at the end of the run: {0}")]
-    End(UnitError),
-    /// Recording failed.
-    #[error(transparent)]
-    Observe(#[from] ObserveError),
-    /// The report cannot be written.
-    #[error(transparent)]
-    Report(#[from] ReportError),
-    /// A file of the results cannot be written.
-    #[error("{path}: {source}")]
-    Io {
-        /// File or folder.
-        path: String,
-        /// Reason.
-        source: std::io::Error,
-    },
-    /// The system gives no threads.
-    #[error("{threads} threads cannot be started: {source}")]
-    Threads {
-        /// Threads wanted.
-        threads: usize,
-        /// Reason.
-        source: rayon::ThreadPoolBuildError,
-    },
-    /// The simulated time makes no sense.
-    #[error("--duration {0}: must be greater than zero seconds")]
-    Duration(f64),
-}
-
 /// Runs a scenario.
 ///
 /// # Errors
@@ -96,19 +42,12 @@ pub enum RunError {
 pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     let (mut scenario, file, text) = scenario::load(path)?;
     if let Some(duration) = options.duration {
-        if !(duration > 0.0 && duration.is_finite()) {
-            return Err(RunError::Duration(duration));
-        }
+        RunError::check_time("--duration", duration)?;
         scenario.duration_s = duration;
     }
-    let threads = options.threads.unwrap_or_else(default_threads);
-    let pool = parallel::pool(threads).map_err(|source| RunError::Threads { threads, source })?;
-    let results = match &options.results {
-        Some(folder) => folder.clone(),
-        None => new_results(&file),
-    };
-    let io = |source| RunError::Io { path: results.display().to_string(), source };
-    let folders = Folders { fmus: options.fmus.clone(), results: absolute(&results).map_err(io)? };
+    let Workplace { threads, pool, results } =
+        Workplace::open(options.threads, options.results.as_deref(), &file)?;
+    let folders = Folders { fmus: options.fmus.clone(), results };
 
     let mut lockstep = prepare(&scenario, &folders)?;
     let mut manifest = Manifest::new(&scenario, text, threads, &lockstep);
@@ -126,7 +65,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
             times: lockstep.times,
             vehicles: lockstep.vehicles.len(),
             threads,
-            warnings: warnings(&mut lockstep),
+            warnings: take_warnings(lockstep.units_mut()),
         })
     })
 }
@@ -140,15 +79,13 @@ fn run_prepared(
     quiet: bool,
 ) -> Result<Done, RunError> {
     let steps = (scenario.duration_s / scenario.step_s).round() as u64;
-    let start = Motion {
-        position: scenario.train.leading_vehicle_position_m,
-        velocity: scenario.train.speed_m_per_s,
-    };
     let traffic = scenario.heat.as_ref().map(Traffic::of).unwrap_or_default();
     let rails_run = lockstep.rails_time(steps);
     let rails_end = traffic.end(rails_run);
     manifest.write(results)?;
-    lockstep.initialize(start, scenario.duration_s, rails_end).map_err(RunError::Start)?;
+    lockstep
+        .initialize(start_of(scenario), scenario.duration_s, rails_end)
+        .map_err(StartError::from)?;
     let mut recorder = Recorder::new(scenario, lockstep, &results.join("series"))?;
     recorder.observe(0, lockstep)?;
 
@@ -170,75 +107,12 @@ fn run_prepared(
     manifest.run.locomotives = recorder.locomotives();
     manifest.run.energy = recorder.energy();
     recorder.finish()?;
-    let end = lockstep.terminate();
+    let end = terminate(lockstep.units_mut());
     let reached = outcome.as_ref().map_or_else(|failed| failed.time, |()| rails_end);
     let simulated = reached.min(lockstep.clock.at(steps));
     manifest.finish(simulated, wall, &lockstep.times);
     manifest.write(results)?;
-    outcome.map_err(|failed| step_error(failed, results))?;
+    outcome.map_err(|failed| RunError::step(failed, results))?;
     end.map_err(RunError::End)?;
     Ok(Done { simulated, rails: rails_end, wall, steps })
-}
-
-fn step_error(failed: FailedStep, results: &Path) -> RunError {
-    let FailedStep { time, source } = failed;
-    match source {
-        StepFailure::Unit(source) => {
-            RunError::Step { time, source, results: results.display().to_string() }
-        }
-        StepFailure::Observe(source) => source.into(),
-    }
-}
-
-fn warnings(lockstep: &mut Lockstep) -> Vec<String> {
-    let of_unit = |unit: &mut Box<dyn Unit>| -> Vec<String> {
-        let texts = unit.take_warnings();
-        texts.into_iter().map(|text| format!("{}: {text}", unit.name())).collect()
-    };
-    lockstep.units_mut().flat_map(of_unit).collect()
-}
-
-/// The scenario's folder names the run, or its file if it is not called `scenario.toml`.
-pub fn scenario_name(file: &Path) -> String {
-    let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let absolute = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
-    let folder = absolute.parent().and_then(Path::file_name);
-    match (stem.as_str(), folder) {
-        ("scenario", Some(folder)) => folder.to_string_lossy().into_owned(),
-        _ => stem,
-    }
-}
-
-/// The folder for the results of a scenario whose user names none.
-pub fn new_results(scenario: &Path) -> PathBuf {
-    new_folder(&scenario_name(&scenario::file_of(scenario)))
-}
-
-/// `results/<name>`, or with a number behind it if that is there: no run overwrites another.
-pub fn new_folder(name: &str) -> PathBuf {
-    let candidate = |n: u32| match n {
-        1 => PathBuf::from("results").join(name),
-        n => PathBuf::from("results").join(format!("{name}-{n}")),
-    };
-    (1..).map(candidate).find(|folder| !folder.exists()).unwrap_or_default()
-}
-
-/// Makes the folder if it is not there, and gives its absolute path.
-///
-/// # Errors
-/// When it cannot be made.
-pub fn absolute(folder: &Path) -> std::io::Result<PathBuf> {
-    std::fs::create_dir_all(folder)?;
-    std::path::absolute(folder)
-}
-
-/// All cores.
-pub fn default_threads() -> usize {
-    std::thread::available_parallelism().map_or(1, Into::into)
-}
-
-impl From<manifest::ManifestError> for RunError {
-    fn from(error: manifest::ManifestError) -> Self {
-        Self::Io { path: error.path, source: error.source }
-    }
 }

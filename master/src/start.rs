@@ -9,7 +9,34 @@ use crate::lockstep::{Lockstep, Train, Vehicle, in_train};
 use crate::parallel;
 use crate::port::Port;
 use crate::rail::Rail;
+use crate::scenario::Scenario;
 use crate::unit::{Unit, UnitError};
+
+/// Why units cannot be initialised.
+#[derive(Debug, thiserror::Error)]
+pub enum StartError {
+    /// A unit refuses.
+    #[error(transparent)]
+    Unit(#[from] UnitError),
+    /// Initial values depend on each other.
+    #[error(
+        "the initial values of {} depend on each other in a loop and do not settle; give start \
+         values that fit, or break the loop",
+        inputs.join(", ")
+    )]
+    Loop {
+        /// Inputs that still change, as `component.variable`.
+        inputs: Vec<String>,
+    },
+}
+
+/// Place of the leading vehicle's middle and speed at the start of a scenario.
+pub(crate) fn start_of(scenario: &Scenario) -> Motion {
+    Motion {
+        position: scenario.train.leading_vehicle_position_m,
+        velocity: scenario.train.speed_m_per_s,
+    }
+}
 
 impl Lockstep {
     /// Initialises all units for a run until `stop`, the rails until `rails_stop`, s, with the
@@ -34,24 +61,13 @@ impl Lockstep {
         self.pass_wheels();
         parallel::for_each(&mut self.rails, |rail| rail.initialize(start, rails_stop))
     }
-
-    /// Ends the run of all units; every one is told, the first error is given.
-    ///
-    /// # Errors
-    /// When a unit could not complete what it writes.
-    pub fn terminate(&mut self) -> Result<(), UnitError> {
-        let ends: Vec<_> = self.units_mut().map(|unit| unit.terminate()).collect();
-        ends.into_iter().collect()
-    }
 }
 
 impl Train {
     fn initialize(&mut self, values: Motion, start: f64, stop: f64) -> Result<(), UnitError> {
         set_start_values(&mut self.start, self.unit.as_mut(), values)?;
         self.unit.enter_initialization(start, stop)?;
-        for &(reference, value) in &self.constants {
-            self.unit.set_reals(&[reference], &[value])?;
-        }
+        set_constants(&self.constants, self.unit.as_mut())?;
         self.unit.exit_initialization()?;
         // Some FMUs compute their outputs only when the initialisation ends.
         self.outputs.get(self.unit.as_mut())

@@ -35,10 +35,13 @@ SIGNALS = [
 
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory):
-    """A scenario of five vehicles, the package of it, and the results of both."""
+    """A scenario of five vehicles, the package of it, and the results of both. The wind is an input
+    that keeps its value: libcosim sets it while the train is instantiated."""
     folder = tmp_path_factory.mktemp("ssp")
     scheme = ("step_s = 0.001", 'step_s = 0.001\nscheme = "jacobi"')
-    scenario = five_vehicles(folder, [scheme])
+    speed = "speed_m_per_s = 16.67"
+    wind = (speed, speed + "\nwind = { speed_m_per_s = 12.0, direction_deg = 30.0 }")
+    scenario = five_vehicles(folder, [scheme, wind])
     hotfoot("run", scenario, "--quiet", "--results", folder / "scenario")
     hotfoot("export-ssp", scenario, "--output", folder / "train.ssp")
     package = [folder / "train.ssp", "--interval", LENGTH * EVERY]
@@ -78,7 +81,7 @@ def test_the_package_gives_the_same_bits_as_the_scenario(folder):
 
 def test_the_results_say_what_made_them(folder):
     manifest = (folder / "package" / "manifest.toml").read_text()
-    for wanted in ("hotfoot_version", 'system = "train"', "simulated_s = 2.0", "package/resources/rail.fmu"):
+    for wanted in ("hotfoot_version", 'name = "train"', "simulated_s = 2.0", "package/resources/rail.fmu"):
         assert wanted in manifest, wanted
     for name in ("locomotive-coco-134t", "wagon-coco-134t-unpowered", "rail", "synchronisation", "train"):
         fmu = folder / "package" / "package" / "resources" / f"{name}.fmu"

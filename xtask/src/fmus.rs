@@ -30,12 +30,17 @@ const MODELS: [(&str, &[&str]); 4] = [
     ("synchronisation", &["synchronisation.md"]),
 ];
 
-/// Builds the programs and the FMUs' binaries in release, and packs the FMUs into `target/fmus`:
-/// those that have default resources, with them and the stock library.
+/// Builds the programs and the FMUs' binaries in release, and packs the FMUs.
 pub fn build() -> Result<()> {
     let packages = MODELS.iter().flat_map(|(model, _)| ["-p".to_owned(), format!("{model}-fmu")]);
     let programs = ["-p", "hotfoot", "-p", "hotfoot-tools"];
     run(cargo().args(["build", "--release"]).args(programs).args(packages))?;
+    pack()
+}
+
+/// Packs the FMUs from their binaries into `target/fmus`: those that have default resources, with
+/// them and the stock library.
+pub fn pack() -> Result<()> {
     let folder = target().join("fmus");
     std::fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
     for (model, theory) in MODELS {

@@ -4,12 +4,14 @@
 //! |---|---|
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
 //! | `foot_study.rs` | the runs of the foot study, its table and expected figures |
+//! | `instructions.rs` | instructions of a vehicle's step, counted |
 //! | `test.rs` | the whole test run |
 //! | `python.rs` | the Python environment of the FMPy tests, which has libclang too |
 //! | `shell.rs` | running commands |
 
 mod fmus;
 mod foot_study;
+mod instructions;
 mod python;
 mod shell;
 mod test;
@@ -50,6 +52,8 @@ enum Task {
         #[arg(long)]
         write_expected: bool,
     },
+    /// Count the instructions of a vehicle's step by its parts (needs valgrind)
+    Instructions,
     /// The whole test run
     Test,
 }
@@ -75,6 +79,10 @@ fn main() -> Result<()> {
                 foot_study::write_expected(&results)?;
             }
             print!("{}", foot_study::table(&results)?);
+            Ok(())
+        }
+        Task::Instructions => {
+            print!("{}", instructions::table()?);
             Ok(())
         }
         Task::Test => test::run_all(),

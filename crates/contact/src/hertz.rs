@@ -23,6 +23,8 @@ pub struct UnitContact {
     pub semi_axis_lateral: f64,
     /// k of N = k approach^(3/2), in N/m^(3/2).
     pub stiffness: f64,
+    /// Cube root of k, for N^(1/3) = k^(1/3) approach^(1/2).
+    pub stiffness_root: f64,
 }
 
 impl UnitContact {
@@ -41,10 +43,20 @@ impl UnitContact {
         let approach = pressure * minor * integrals.k / modulus;
         let (semi_axis_rolling, semi_axis_lateral) =
             if rolling <= lateral { (major, minor) } else { (minor, major) };
-        Self { semi_axis_rolling, semi_axis_lateral, stiffness: approach.powf(-1.5) }
+        let stiffness = approach.powf(-1.5);
+        Self { semi_axis_rolling, semi_axis_lateral, stiffness, stiffness_root: stiffness.cbrt() }
+    }
+
+    /// The contact with a `share` (0 to 1) of the stiffness.
+    #[must_use]
+    pub fn shared(mut self, share: f64) -> Self {
+        self.stiffness *= share;
+        self.stiffness_root *= share.cbrt();
+        self
     }
 
     /// Normal force in N for an elastic `approach` (m) along the normal; 0 without contact.
+    #[inline]
     pub fn normal_force(&self, approach: f64) -> f64 {
         let approach = approach.max(0.0);
         self.stiffness * approach * approach.sqrt()
@@ -54,6 +66,14 @@ impl UnitContact {
     pub fn approach(&self, normal_force: f64) -> f64 {
         let root = (normal_force.max(0.0) / self.stiffness).cbrt();
         root * root
+    }
+
+    /// Semi-axes in the rolling direction and across, in m, at an elastic `approach` (m); 0 without
+    /// contact.
+    #[inline]
+    pub fn semi_axes(&self, approach: f64) -> (f64, f64) {
+        let scale = self.stiffness_root * approach.max(0.0).sqrt();
+        (scale * self.semi_axis_rolling, scale * self.semi_axis_lateral)
     }
 }
 

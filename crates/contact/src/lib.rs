@@ -5,6 +5,7 @@
 //! | [`WheelProfile`], [`RailProfile`] | the shape of wheel and rail | EN 13715, EN 13674-1 |
 //! | [`GeometryTable`] | where a wheel touches at a lateral shift, made once for a [`ProfilePair`] | quasi-elastic search |
 //! | [`wheelset_geometry`] | both wheels of a rolled wheelset at once, for validation | rigid wheelset |
+//! | [`EquivalentConicity`] | the cone with the same wavelength | EN 15302 |
 //! | [`hertz`] | size and stiffness of the contact ellipse | Hertz, exact |
 //! | [`kalker`] | creep coefficients | Kalker 1990 |
 //! | [`CreepLaw`] | creep forces and friction power | Kalker 1982, Spiryagin 2013, Polach 2005 |
@@ -14,8 +15,8 @@
 //! same table serves the left and the right wheel, and a mirrored pair of wheels gives mirrored
 //! numbers bit by bit.
 //!
-//! A step needs only [`GeometryTable::at`], [`ContactPoint::patch`] and [`CreepLaw::force`]; none of
-//! them allocates, locks or fails.
+//! A step needs only [`GeometryTable::patch`], [`PatchAt::point`], [`ContactPoint::pressed`] and
+//! [`CreepLaw::force`]; none of them allocates, locks or fails.
 
 mod creep;
 mod error;
@@ -32,9 +33,10 @@ pub use creep::modified_fastsim::ModifiedFastsim;
 pub use creep::polach::Polach;
 pub use creep::{CreepForces, Creepages, REFERENCE_SPEED_MIN, SlipVelocity};
 pub use error::ContactError;
+pub use geometry::conicity::EquivalentConicity;
 pub use geometry::contact_point::{ContactPatch, ContactPoint};
 pub use geometry::pair::ProfilePair;
-pub use geometry::table::GeometryTable;
+pub use geometry::table::{GeometryTable, PatchAt, RowPlace};
 pub use geometry::wheelset::{WheelContact, WheelsetGeometry, wheelset_geometry};
 pub use material::{Material, STEEL};
 pub use profile::cone::Cone;

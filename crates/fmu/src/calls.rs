@@ -155,15 +155,19 @@ const ALLOWED: [(Call, [bool; 6]); 30] = [
 ];
 
 /// The phases in which a variable may be set (§4.2.4, the notes to the rows of `fmi2SetXXX`).
+///
+/// Inputs are taken in *instantiated* too, though note 1 names only variables whose `initial` is
+/// exact or approx, and inputs have no `initial` (§2.2.7). They have a start value, which is what
+/// is set there; they fell out of the note by an oversight (fmi-standard, issue 369) that FMI 3.0
+/// has mended, where inputs are exact. libcosim sets the start values of inputs then, and the
+/// Reference FMUs take them.
 pub(crate) fn settable(variable: &Variable) -> Phases {
     use Phase::{InitializationMode, Instantiated, StepComplete};
-    const INPUT: Phases = Phases::of(&[InitializationMode, StepComplete]);
     const FIXED: Phases = Phases::of(&[Instantiated, InitializationMode]);
-    const TUNABLE: Phases = Phases::of(&[Instantiated, InitializationMode, StepComplete]);
+    const CHANGING: Phases = Phases::of(&[Instantiated, InitializationMode, StepComplete]);
     match (variable.causality, variable.variability) {
         (Causality::Output, _) => Phases::NONE,
-        (Causality::Input, _) => INPUT,
-        (Causality::Parameter, Variability::Tunable) => TUNABLE,
+        (Causality::Input, _) | (Causality::Parameter, Variability::Tunable) => CHANGING,
         (Causality::Parameter, _) => FIXED,
     }
 }

@@ -59,9 +59,10 @@ macro_rules! setters {
             self.call(Call::$call, |instance| {
                 let (phase, rules) = (instance.phase, &instance.interface.rules.$store);
                 let values = check_lengths(references, values)?;
-                write(&mut instance.values.$store, rules, phase, references, values)
+                let store = &mut instance.values.$store;
+                let changed = write(store, rules, phase, references, values)
                     .map_err(|refusal| instance.refused($kind, refusal))?;
-                instance.note_change();
+                instance.note_start_values(changed);
                 Ok(())
             })
         }
@@ -101,6 +102,7 @@ impl<M: Model> Instance<M> {
     ) -> Result<(), Error> {
         self.call(Call::SetString, |instance| {
             let values = check_lengths(references, values)?;
+            let mut changed = false;
             for (&reference, value) in references.iter().zip(values) {
                 let place = reference as usize;
                 let refused = match instance.interface.rules.texts.get(place) {
@@ -113,9 +115,11 @@ impl<M: Model> Instance<M> {
                 if let Some(refusal) = refused {
                     return Err(instance.refused(STRING, refusal));
                 }
-                value.clone_into(&mut instance.values.texts[place]);
+                let stored = &mut instance.values.texts[place];
+                changed |= stored != value;
+                value.clone_into(stored);
             }
-            instance.note_change();
+            instance.note_start_values(changed);
             Ok(())
         })
     }
@@ -128,9 +132,10 @@ impl<M: Model> Instance<M> {
         }
     }
 
-    /// A model built from other start values is of no use.
-    fn note_change(&mut self) {
-        if matches!(self.phase, Phase::Instantiated | Phase::InitializationMode) {
+    /// A model built from other start values is of no use; one built from the same is kept, so that a
+    /// tool that sets all inputs again and again until they settle does not wait for each.
+    fn note_start_values(&mut self, changed: bool) {
+        if changed && matches!(self.phase, Phase::Instantiated | Phase::InitializationMode) {
             self.built = None;
         }
     }
@@ -186,14 +191,15 @@ where
     Err(Error::Lengths { references: references.len(), values: values.len() })
 }
 
-/// Writes values that their rules admit.
+/// Writes values that their rules admit, and tells whether one of them is new.
 fn write<T: PartialOrd + Copy + ToString>(
     store: &mut [T],
     rules: &[Rule<T>],
     phase: Phase,
     references: &[u32],
     values: impl Iterator<Item = T>,
-) -> Result<(), Refusal> {
+) -> Result<bool, Refusal> {
+    let mut changed = false;
     for (&reference, value) in references.iter().zip(values) {
         let place = reference as usize;
         let (Some(rule), Some(stored)) = (rules.get(place), store.get_mut(place)) else {
@@ -205,7 +211,8 @@ fn write<T: PartialOrd + Copy + ToString>(
         if !rule.admits(&value) {
             return Err(Refusal::OutOfBounds(reference, value.to_string()));
         }
+        changed |= *stored != value;
         *stored = value;
     }
-    Ok(())
+    Ok(changed)
 }

@@ -97,8 +97,8 @@ impl Log {
 /// A physical model with its FMI interface.
 ///
 /// The order of calls is: [`declare`](Self::declare) at `fmi2Instantiate`,
-/// [`initialize`](Self::initialize) in initialization mode as often as start values have changed
-/// since, then [`step`](Self::step) again and again. When a saved state goes into an instance
+/// [`initialize`](Self::initialize) in initialization mode as often as start values have got other
+/// values since, then [`step`](Self::step) again and again. When a saved state goes into an instance
 /// whose model was built from other start values, the model is built anew from those of the
 /// state before [`restore`](Self::restore). A model is never asked for an output: it
 /// writes all outputs into `values` when it is initialised and at the end of each step.

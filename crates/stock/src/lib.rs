@@ -14,6 +14,7 @@
 //! | `brake.rs` | its sections on friction brakes |
 //! | `multibody.rs` | its section for the three-dimensional model; `multibody_check.rs` checks it |
 //! | `creep.rs` | the creep law of that section |
+//! | `profile_files.rs` | its profiles that are files of points |
 //! | `elements.rs` | the force elements of that section; `elements_check.rs` checks them |
 //! | `gear_file.rs`, `wedge.rs` | the draft-gear file |
 //! | `draft_gear.rs`, `force_curve.rs` | what it comes down to: forces over deflections |
@@ -33,6 +34,7 @@ mod gear_file;
 mod library;
 mod multibody;
 mod multibody_check;
+mod profile_files;
 mod propulsion;
 mod resistance;
 mod vehicle;

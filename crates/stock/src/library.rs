@@ -51,7 +51,8 @@ impl Library {
         }
     }
 
-    /// The vehicle type `name`.
+    /// The vehicle type `name`. Names of profiles that are files become paths from the library's
+    /// folder.
     ///
     /// # Errors
     /// When its file, or one that it extends, cannot be read or has a value that is not possible.
@@ -68,7 +69,7 @@ impl Library {
         let text = read(file)?;
         let table: Table = parse(&text, &name)?;
         let base = table.get("extends").and_then(Value::as_str).map(str::to_owned);
-        let vehicle: Vehicle = match table.contains_key("extends") {
+        let mut vehicle: Vehicle = match table.contains_key("extends") {
             // Reading the text itself gives errors with line and caret.
             false => parse(&text, &name)?,
             true => self
@@ -76,7 +77,8 @@ impl Library {
                 .try_into()
                 .map_err(|source| syntax(&name, source))?,
         };
-        if let Err(error) = vehicle.check(&name) {
+        let checked = vehicle.check(&name);
+        if let Err(error) = checked.and_then(|()| vehicle.find_profiles(&name, &self.root)) {
             // A wrong value is looked for in the file that has it.
             let base_error = base.and_then(|base| self.vehicle(&base).err());
             return Err(base_error.unwrap_or(error));

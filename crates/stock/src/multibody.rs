@@ -72,9 +72,10 @@ pub struct CouplerAttachment {
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct WheelRailContact {
-    /// Name of the wheel profile, such as `"S1002"` or `"cone-1-20"`.
+    /// Name of the wheel profile, such as `"S1002"` or `"cone-1-20"`, or the path of a file of points
+    /// (`profile_files.rs`).
     pub wheel: String,
-    /// Name of the rail profile, such as `"60E1"`.
+    /// Name of the rail profile, such as `"60E1"`, or the path of a file of points.
     pub rail: String,
     /// Inclination of the rails, 0.025 for 1:40.
     pub rail_inclination: f64,

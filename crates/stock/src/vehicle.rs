@@ -28,11 +28,14 @@
 //! shoe_friction = { speed_kmh = [0.0, 100.0], value = [0.5, 0.3] }
 //! ```
 
+use std::path::Path;
+
 use serde::Deserialize;
 
 use crate::brake::{Brake, HandBrake, LocomotiveBrake};
 use crate::check::{Check, StockError};
 use crate::multibody::Multibody;
+use crate::profile_files;
 use crate::propulsion::{DynamicBrake, Traction};
 use crate::resistance::Resistance;
 
@@ -125,6 +128,17 @@ impl Coupler {
 }
 
 impl Vehicle {
+    /// Finds the profiles that are files in the folder `library`.
+    pub(crate) fn find_profiles(&mut self, file: &str, library: &Path) -> Result<(), StockError> {
+        match &mut self.multibody {
+            Some(multibody) => {
+                let check = Check::new(file).section("multibody").section("contact");
+                profile_files::find(&mut multibody.contact, library, &check)
+            }
+            None => Ok(()),
+        }
+    }
+
     pub(crate) fn check(&self, file: &str) -> Result<(), StockError> {
         let check = Check::new(file);
         check.between("mass_kg", self.mass_kg, 100.0, 1e6)?;

@@ -102,6 +102,39 @@ fn a_vehicle_file_finds_the_library_it_lies_in() {
     assert_eq!(vehicle.axles, 4);
 }
 
+/// A profile with an ending is a file of the library; its path stands in the vehicle. A vehicle that
+/// extends another one has its file from the same place.
+#[test]
+fn profiles_that_are_files_are_found_in_the_library() {
+    let text = "extends = 'locomotive-coco-134t'\nmultibody.contact.wheel = 'profiles/worn.prw'\n";
+    let scratch = Scratch::with("worn", text);
+    let again = scratch.file("again");
+    std::fs::write(&again, "extends = 'worn'\nmultibody.contact.rail = 'AS60'\n").unwrap();
+    let missing = scratch.vehicle("again").unwrap_err().to_string();
+    assert!(
+        missing.contains("worn.toml: multibody.contact.wheel = profiles/worn.prw: cannot read")
+    );
+
+    let profile = scratch.folder.path().join("profiles/worn.prw");
+    std::fs::create_dir(profile.parent().unwrap()).unwrap();
+    std::fs::write(&profile, "0 0").unwrap();
+    for name in ["worn", "again"] {
+        let contact = scratch.vehicle(name).unwrap().multibody.unwrap().contact;
+        assert_eq!(Path::new(&contact.wheel), profile);
+    }
+}
+
+#[test]
+fn a_profile_outside_of_the_library_is_refused() {
+    for path in ["../worn.prw", "/tmp/worn.prw"] {
+        let message = message(&format!("multibody.contact.wheel = '{path}'"));
+        assert!(
+            message.contains("must be a path inside of the rolling-stock library"),
+            "{message}"
+        );
+    }
+}
+
 #[test]
 fn a_negative_mass_is_refused_with_file_key_and_remedy() {
     let message = message("mass_kg = -134000.0");

@@ -1,5 +1,7 @@
 //! `hotfoot creep`: creep forces, friction power and flash temperature of one contact.
 
+use std::path::PathBuf;
+
 use clap::{Args, ValueEnum};
 use contact::hertz::UnitContact;
 use contact::kalker::CreepCoefficients;
@@ -12,6 +14,8 @@ use railheat::creep_force::Contact;
 use railheat::flash_temperature::flash_rise;
 use railheat::material::Material;
 
+use crate::creep_plot;
+
 const MM: f64 = 1e-3;
 
 /// Share of the friction heat that flows into the rail: half, for equal steels.
@@ -19,7 +23,7 @@ const PARTITION: f64 = 0.5;
 
 /// The law.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Law {
+pub(crate) enum Law {
     ModifiedFastsim,
     FastsimOnLine,
     Polach,
@@ -32,10 +36,10 @@ enum Law {
 pub struct CreepArguments {
     /// Creep law
     #[arg(long, value_enum, default_value = "modified-fastsim")]
-    law: Law,
+    pub(crate) law: Law,
     /// Normal force, N
     #[arg(long)]
-    load: f64,
+    pub(crate) load: f64,
     /// Semi-axes of the contact in the rolling direction and across, mm; or give --radii-m
     #[arg(long, num_args = 2, conflicts_with = "radii_m")]
     semi_axes_mm: Option<Vec<f64>>,
@@ -45,7 +49,7 @@ pub struct CreepArguments {
     radii_m: Option<Vec<f64>>,
     /// Friction coefficient without slip
     #[arg(long, default_value_t = 0.36)]
-    friction: f64,
+    pub(crate) friction: f64,
     /// Friction at infinite slip velocity by that without slip; 1: Coulomb's constant friction
     #[arg(long, default_value_t = 1.0)]
     limit_ratio: f64,
@@ -60,7 +64,7 @@ pub struct CreepArguments {
     factors: Vec<f64>,
     /// Speed, m/s
     #[arg(long, default_value_t = 10.0)]
-    speed: f64,
+    pub(crate) speed: f64,
     /// Longitudinal creepages: slip of the wheel on the rail over the speed. All forces are those on
     /// the wheel, and oppose the slip
     #[arg(long, value_delimiter = ',', default_value = "0", allow_hyphen_values = true)]
@@ -71,12 +75,16 @@ pub struct CreepArguments {
     /// Spin creepages, 1/m
     #[arg(long, value_delimiter = ',', default_value = "0", allow_hyphen_values = true)]
     spin: Vec<f64>,
+    /// Draw the values over the creepage into this SVG file instead of printing them
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
 }
 
-/// Prints a row of comma-separated values for each creepage.
+/// Prints a row of comma-separated values for each creepage, or draws them.
 ///
 /// # Errors
-/// When the contact is not given, or the lists of creepages differ in length.
+/// When the contact is not given, the lists of creepages differ in length, or the plot cannot be
+/// written.
 pub fn creep(arguments: &CreepArguments) -> Result<()> {
     ensure!(arguments.load > 0.0, "--load must be greater than zero");
     ensure!(arguments.speed > 0.0, "--speed must be greater than zero");
@@ -84,32 +92,59 @@ pub fn creep(arguments: &CreepArguments) -> Result<()> {
         arguments.friction > 0.0 && arguments.limit_ratio >= 0.0 && arguments.decay >= 0.0,
         "--friction must be greater than zero, --limit-ratio and --decay not negative"
     );
+    let rows = rows(arguments)?;
+    match &arguments.plot {
+        Some(file) => creep_plot::page(arguments, &rows)?.write(file),
+        None => {
+            print!("{}", csv(&rows));
+            Ok(())
+        }
+    }
+}
+
+/// What one set of creepages does.
+pub(crate) struct Row {
+    /// Longitudinal and lateral creepage, and spin in 1/m.
+    pub creepages: [f64; 3],
+    pub forces: CreepForces,
+    /// Highest rise of the rail's surface, K.
+    pub flash: f64,
+}
+
+/// A row for each set of creepages.
+fn rows(arguments: &CreepArguments) -> Result<Vec<Row>> {
     let patch = patch(arguments)?;
     let law = law(arguments);
     let lists = [&arguments.longitudinal, &arguments.lateral, &arguments.spin];
-    let rows = lists.iter().map(|list| list.len()).max().unwrap_or(0);
+    let count = lists.iter().map(|list| list.len()).max().unwrap_or(0);
     ensure!(
-        lists.iter().all(|list| list.len() == 1 || list.len() == rows),
+        lists.iter().all(|list| list.len() == 1 || list.len() == count),
         "the lists of creepages must have the same length, or one value for all rows"
     );
-    println!(
+    let speed = arguments.speed;
+    let rows = (0..count).map(|i| {
+        let creepages = lists.map(|list| list[i.min(list.len() - 1)]);
+        let [longitudinal, lateral, spin] = creepages.map(|creepage| speed * creepage);
+        let forces = law.force(&patch, &SlipVelocity { longitudinal, lateral, spin }, speed);
+        Row { creepages, forces, flash: flash(&patch, forces.friction_power, speed) }
+    });
+    Ok(rows.collect())
+}
+
+/// The rows with their header.
+fn csv(rows: &[Row]) -> String {
+    let mut text = String::from(
         "longitudinal,lateral,spin_1_m,force_longitudinal_n,force_lateral_n,spin_moment_n_m,\
-         friction_power_w,flash_temperature_k"
+         friction_power_w,flash_temperature_k\n",
     );
-    for i in 0..rows {
-        let [xi, eta, phi] = lists.map(|list| list[i.min(list.len() - 1)]);
-        let speed = arguments.speed;
-        let slip =
-            SlipVelocity { longitudinal: speed * xi, lateral: speed * eta, spin: speed * phi };
-        let CreepForces { longitudinal, lateral, spin_moment, friction_power, .. } =
-            law.force(&patch, &slip, speed);
-        let flash = flash(&patch, friction_power, speed);
-        println!(
+    for Row { creepages: [xi, eta, phi], forces, flash } in rows {
+        let CreepForces { longitudinal, lateral, spin_moment, friction_power, .. } = forces;
+        text += &format!(
             "{xi},{eta},{phi},{longitudinal:.3},{lateral:.3},{spin_moment:.4},\
-             {friction_power:.4},{flash:.3}"
+             {friction_power:.4},{flash:.3}\n"
         );
     }
-    Ok(())
+    text
 }
 
 /// The contact ellipse, given or by Hertz.

@@ -10,12 +10,16 @@
 //! | `creep.rs` | `hotfoot creep`: creep forces, friction power and flash temperature |
 //! | `modes.rs` | `hotfoot modes`: natural frequencies, damping and shapes of a vehicle |
 //! | `critical_speed.rs` | `hotfoot critical-speed`: the speed at which it becomes unstable |
+//! | `contact_plot.rs`, `creep_plot.rs`, `plot.rs` | what the two draw with `--plot` |
 //! | `vehicle_argument.rs` | the vehicle that a command is about |
 
 pub mod contact;
+mod contact_plot;
 pub mod creep;
+mod creep_plot;
 pub mod critical_speed;
 pub mod modes;
+mod plot;
 mod vehicle_argument;
 
 pub use vehicle_argument::VehicleArgument;

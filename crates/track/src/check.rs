@@ -1,6 +1,7 @@
 //! What the values of a track file must be.
 
-use crate::file::{CurvaturePoint, Element, GradientPoint, TrackError, TrackFile};
+use crate::error::TrackError;
+use crate::file::{CurvaturePoint, Element, GradientPoint, TrackFile};
 
 /// Greatest curvature, 1/km: that of the smallest radius, 50 m.
 const GREATEST_CURVATURE: f64 = 20.0;

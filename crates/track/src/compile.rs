@@ -2,7 +2,8 @@
 
 use numerics::{Interpolation, Piecewise};
 
-use crate::file::{Element, TrackError, TrackFile};
+use crate::error::TrackError;
+use crate::file::{Element, TrackFile};
 use crate::track::{Piece, Track, TrackPoint};
 
 /// Distance between the middles of the two rail heads over which cant is measured, m.

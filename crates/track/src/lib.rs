@@ -3,6 +3,7 @@
 //! | file | part |
 //! |---|---|
 //! | `file.rs`, `check.rs` | the track file that people write, and what its values must be |
+//! | `error.rs` | why a track file cannot be used |
 //! | `compile.rs` | from the file to the compiled track |
 //! | `track.rs` | the compiled track: what holds at a chainage |
 //! | `irregularity/` | where the rails lie besides their designed place |
@@ -13,12 +14,13 @@
 
 mod check;
 mod compile;
+mod error;
 mod file;
 pub mod irregularity;
 mod support;
 mod track;
 
-pub use file::TrackError;
+pub use error::TrackError;
 pub use irregularity::{Irregularity, RailOffset};
 pub use support::Support;
 pub use track::{Place, Track, TrackPoint};

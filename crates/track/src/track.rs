@@ -177,11 +177,12 @@ fn slope(c: &[f64; 4], s: f64) -> f64 {
 /// Its integral from 0 to `s`.
 #[inline]
 fn integral(c: &[f64; 4], s: f64) -> f64 {
-    s * (c[0] + s * (c[1] / 2.0 + s * (c[2] / 3.0 + s * c[3] / 4.0)))
+    s * (c[0] + s * (c[1] / 2.0 + s * (c[2] * (1.0 / 3.0) + s * c[3] / 4.0)))
 }
 
 /// The integral of that integral.
 #[inline]
 fn double_integral(c: &[f64; 4], s: f64) -> f64 {
-    s * s * (c[0] / 2.0 + s * (c[1] / 6.0 + s * (c[2] / 12.0 + s * c[3] / 20.0)))
+    let (half, sixth, twelfth, twentieth) = (0.5, 1.0 / 6.0, 1.0 / 12.0, 1.0 / 20.0);
+    s * s * (half * c[0] + s * (sixth * c[1] + s * (twelfth * c[2] + s * (twentieth * c[3]))))
 }

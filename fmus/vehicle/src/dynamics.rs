@@ -52,12 +52,13 @@ pub struct Dynamics {
     pub structure: Arc<Structure>,
     /// Where it runs.
     pub line: Arc<Line>,
-    /// Where it is and how it moves.
+    /// Where it is and how it moves; [`Self::restore`] puts another in its place.
     pub state: State,
     /// Wheels of each wheelset, left and right, at the end of the last step.
     pub wheels: Vec<[WheelOutput; 2]>,
     /// Acceleration of the first body along the track in the last step, m/s².
     pub acceleration: f64,
+    /// The track under each body where it is.
     pub(crate) frames: Vec<Frame>,
     rails: Vec<[RailMotion; 2]>,
     pub(crate) decay: Vec<f64>,
@@ -100,13 +101,19 @@ impl Dynamics {
     /// Takes the vehicle `step` seconds further.
     pub fn step(&mut self, step: f64, inputs: &Inputs) {
         self.prepare(step);
-        self.locate();
         self.drift(0.5 * step, 0.0);
         self.locate();
         self.find_rails(1.0);
         self.kick(step, inputs);
         self.bend_rails(step);
         self.drift(0.5 * step, 0.0);
+        self.locate();
+    }
+
+    /// Goes on from another state.
+    pub fn restore(&mut self, state: State) {
+        self.state = state;
+        self.locate();
     }
 
     /// Longest step that resolves the stiffest body, s.
@@ -138,11 +145,10 @@ impl Dynamics {
             let deflections = self.state.deflections.iter().flatten();
             stored.elastic += deflections.map(|d| d.elastic_energy(support)).sum::<f64>();
         }
-        let mut index = self.track_index;
-        for (state, body) in self.state.bodies.iter().zip(&self.structure.bodies) {
-            let frame = Frame::new(self.line.track.at(state.position.x, &mut index));
+        let bodies = self.structure.bodies.iter().zip(&self.frames);
+        for (state, (body, frame)) in self.state.bodies.iter().zip(bodies) {
             stored.kinetic += state.kinetic_energy(body);
-            stored.gravity += state.gravity_energy(body, &frame);
+            stored.gravity += state.gravity_energy(body, frame);
         }
         stored
     }

@@ -104,7 +104,7 @@ impl Model for Vehicle {
     }
 
     fn restore(&mut self, state: State) {
-        self.dynamics.state = state;
+        self.dynamics.restore(state);
     }
 }
 

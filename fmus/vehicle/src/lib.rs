@@ -10,7 +10,7 @@
 //! | `suspension/` | springs, dampers, stops, friction: one file for each element |
 //! | `line.rs` | what a vehicle runs on: designed track, irregularities, support |
 //! | `rail.rs` | the rails under a wheelset: irregularities, elastic support |
-//! | `wheel.rs`, `patch.rs` | a wheel and the contacts in which it touches: approach, normal force, slip |
+//! | `wheel.rs`, `patch.rs`, `rows.rs` | a wheel and the contacts in which it touches: approach, normal force, slip |
 //! | `wheelset.rs` | a wheelset's step with its contact forces |
 //! | `wheel_output.rs` | what a wheel does to its rail at the end of a step |
 //! | `drive.rs` | traction and brake of a wheelset |
@@ -36,6 +36,7 @@ pub mod line;
 pub mod linear;
 pub mod patch;
 pub mod rail;
+pub mod rows;
 mod signals;
 pub mod six;
 mod statics;

@@ -1,36 +1,30 @@
 //! One contact of a wheel with its rail: how hard it presses, and how it slips.
-//!
-//! Rows `longitudinal`, `lateral` and `normal` give the velocity of the wheel's contact point in
-//! the three directions of the contact from the wheelset's velocities (vx, vy, vz, wx, wy, wz);
-//! their transposes carry the forces back, so that force and slip have the same power.
 
-use contact::{ContactPatch, ContactPoint, CreepForces, CreepLaw, SlipVelocity};
+use contact::{ContactPoint, CreepForces, CreepLaw, PatchAt};
 
 use crate::body::BodyState;
-use crate::six::{Six, dot};
+use crate::rows::{ContactMotion, Rows};
+use crate::six::Six;
 use crate::wheel::{Side, WheelData};
 
-/// A contact at one place, and the forces in it once they are known.
-#[derive(Clone, Copy, Debug, Default)]
+/// A contact that presses, and its forces at the beginning of a step.
+#[derive(Clone, Copy, Debug)]
 pub struct Patch {
     /// Number of the patch in the table, from 0.
     pub number: usize,
-    /// Geometry from the table.
-    point: ContactPoint,
-    /// Elastic approach along the normal, m; zero or negative without contact (eq. 17).
+    /// Elastic approach along the normal, m, positive (eq. 17).
     pub approach: f64,
     /// Normal force without damping, N (eq. 18).
     pub elastic_force: f64,
-    /// Row of the longitudinal slip (eq. 20).
-    pub longitudinal: Six,
-    /// Row of the lateral slip in the contact plane (eq. 21).
-    pub lateral: Six,
-    /// Row of the speed of approach along the normal (eq. 19).
-    pub normal: Six,
-    /// Row of the rotation about the normal (eq. 22).
-    pub spin: Six,
-    /// Forces at the beginning of the step.
+    /// How it moves with the wheelset.
+    pub rows: Rows,
+    /// How it moves at the beginning of the step.
+    pub motion: ContactMotion,
+    /// Forces then, which all vanish where the wheel rebounds faster than the contact can follow.
     pub forces: Linearised,
+    /// Place of the contact on the rail head, m from its top, negative towards the gauge side.
+    pub rail_lateral: f64,
+    slope: f64,
 }
 
 /// Forces of a contact at the beginning of a step, and how they change with slip.
@@ -48,106 +42,78 @@ pub struct Linearised {
     pub b: f64,
 }
 
+/// How a wheel of a wheelset moves over its rail.
+pub struct WheelMotion<'a> {
+    /// Side on which the wheel is.
+    pub side: Side,
+    /// Its dimensions.
+    pub data: &'a WheelData,
+    /// Place of the wheelset, seen from the rail.
+    pub state: &'a BodyState,
+    /// Velocities of the wheelset against the rail.
+    pub velocities: &'a Six,
+    /// Speed of travel, m/s.
+    pub speed: f64,
+}
+
+impl WheelMotion<'_> {
+    /// How far a contact has sunk below the place where it first touches, m; negative above it.
+    #[inline]
+    pub fn sunk(&self, contact: &PatchAt) -> f64 {
+        let (sign, roll) = (self.side.sign(), self.state.rotation.x);
+        let across = sign * (self.data.half_distance + contact.wheel_lateral());
+        let descent = self.state.position.z + across * roll;
+        // The table's shift is that of the running circle's height (eq. 16); the contact lies lower.
+        let lower = sign * roll * contact.radius_change();
+        descent - contact.drop + contact.slope * lower
+    }
+}
+
 impl Patch {
-    /// The contact `number` with this geometry, on the wheel on `side` of a wheelset at `state`,
-    /// without its forces.
+    /// The contact `number` with this geometry, `sunk` (m) into the rail.
     #[inline]
     pub fn new(
         number: usize,
-        point: ContactPoint,
-        side: Side,
-        data: &WheelData,
-        state: &BodyState,
+        point: &ContactPoint,
+        sunk: f64,
+        wheel: &WheelMotion,
+        creep: &CreepLaw,
     ) -> Self {
+        let WheelMotion { side, data, state, .. } = wheel;
         let sign = side.sign();
-        let (roll, yaw) = (state.rotation.x, state.rotation.z);
+        let approach = sunk * point.cos_angle;
+        let radius = data.radius + point.radius_change + approach * point.cos_angle;
         let across = sign * (data.half_distance + point.wheel_lateral);
-        let descent = state.position.z + across * roll;
-        // The table's shift is that of the running circle's height (eq. 16); the contact lies lower.
-        let lower = sign * roll * point.radius_change;
-        let approach = (descent - point.drop + point.slope * lower) * point.cos_angle;
-        let pressed = approach.max(0.0);
-        let radius = data.radius + point.radius_change + pressed * point.cos_angle;
-        let (sin, cos) = (sign * point.sin_angle, point.cos_angle);
-        // Under yaw the contact lies ahead of the axle or behind it (eq. 17a).
-        let ahead = yaw * radius * sin / cos;
+        let rows = Rows::new(point, sign, radius, across, &state.rotation);
+        let motion = rows.motion(wheel.velocities);
+        let elastic_force = point.hertz.normal_force(approach);
+        let normal_damping = elastic_force * data.damping;
+        let normal = elastic_force + normal_damping * motion.approach;
+        let mut forces = Linearised::default();
+        if normal > 0.0 {
+            let patch = point.pressed(approach, normal);
+            let creep = creep.force(&patch, &motion.slip, wheel.speed);
+            forces = Linearised { normal, normal_damping, creep, a: patch.a, b: patch.b };
+        }
         Self {
             number,
-            point,
             approach,
-            elastic_force: point.hertz.normal_force(approach),
-            longitudinal: [1.0, yaw, 0.0, 0.0, radius, -across],
-            lateral: [
-                -yaw * cos,
-                cos,
-                -sin,
-                -radius * cos - across * sin,
-                ahead * sin,
-                ahead * cos,
-            ],
-            normal: [
-                0.0,
-                sin,
-                cos,
-                -radius * sin + across * cos,
-                0.0,
-                (ahead - yaw * across) * sin,
-            ],
-            spin: [0.0, 0.0, 0.0, 0.0, sin + roll * cos, cos],
-            forces: Linearised::default(),
+            elastic_force,
+            rows,
+            motion,
+            forces,
+            rail_lateral: point.rail_lateral,
+            slope: point.slope,
         }
-    }
-
-    /// Finds the forces with the wheelset's velocities against the track's frame; `speed` is that
-    /// of travel.
-    #[inline]
-    pub fn load(&mut self, damping: f64, creep: &CreepLaw, velocities: &Six, speed: f64) {
-        let normal_damping = self.elastic_force * damping;
-        let normal = self.elastic_force + normal_damping * dot(&self.normal, velocities);
-        if normal > 0.0 {
-            let patch: ContactPatch = self.point.patch(normal);
-            self.forces = Linearised {
-                normal,
-                normal_damping,
-                creep: creep.force(&patch, &self.slip(velocities), speed),
-                a: patch.a,
-                b: patch.b,
-            };
-        }
-    }
-
-    /// Slip of the wheel on the rail.
-    #[inline]
-    pub fn slip(&self, velocities: &Six) -> SlipVelocity {
-        SlipVelocity {
-            longitudinal: dot(&self.longitudinal, velocities),
-            lateral: dot(&self.lateral, velocities),
-            spin: dot(&self.spin, velocities),
-        }
-    }
-
-    /// Lateral force in the plane of the rails of creep and normal force, N.
-    pub fn across(&self, lateral: f64, normal: f64) -> f64 {
-        lateral * self.lateral[1] - normal * self.normal[1]
-    }
-
-    /// Force upwards, square to the plane of the rails, of creep and normal force, N.
-    pub fn upwards(&self, lateral: f64, normal: f64) -> f64 {
-        normal * self.normal[2] - lateral * self.lateral[2]
-    }
-
-    /// Place of the contact on the rail head, m from its top, negative towards the gauge side.
-    pub fn rail_lateral(&self) -> f64 {
-        self.point.rail_lateral
     }
 
     /// Contact angle, rad, positive as on a tread.
     pub fn angle(&self) -> f64 {
-        self.point.angle()
+        -self.slope.atan()
     }
 
     /// Elastic energy of the contact, J: the integral of the normal force over the approach.
     pub fn elastic_energy(&self) -> f64 {
-        0.4 * self.elastic_force * self.approach.max(0.0)
+        0.4 * self.elastic_force * self.approach
     }
 }

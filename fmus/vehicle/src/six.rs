@@ -2,37 +2,38 @@
 
 use nalgebra::Vector3;
 
-/// Six velocities, or a row that multiplies them.
+/// Six velocities, or forces and moments.
 pub type Six = [f64; 6];
 
 /// A symmetric matrix; only the lower triangle counts.
 pub type SixBySix = [[f64; 6]; 6];
 
-/// Scalar product.
+/// A row of which only the entries at `at` are not zero, times a vector.
 #[inline]
-pub fn dot(a: &Six, b: &Six) -> f64 {
-    let mut sum = 0.0;
-    for i in 0..6 {
-        sum += a[i] * b[i];
-    }
-    sum
+pub fn dot<const N: usize>(at: [usize; N], row: &[f64; N], vector: &Six) -> f64 {
+    (0..N).map(|k| row[k] * vector[at[k]]).sum()
 }
 
-/// Adds `factor` times `row`.
+/// Adds `factor` times such a row.
 #[inline]
-pub fn add(vector: &mut Six, factor: f64, row: &Six) {
-    for i in 0..6 {
-        vector[i] += factor * row[i];
+pub fn add<const N: usize>(at: [usize; N], row: &[f64; N], factor: f64, vector: &mut Six) {
+    for k in 0..N {
+        vector[at[k]] += factor * row[k];
     }
 }
 
-/// Adds `factor` row rowᵀ to the lower triangle.
+/// Adds `factor` row rowᵀ to the lower triangle; `at` rises.
 #[inline]
-pub fn add_outer(matrix: &mut SixBySix, factor: f64, row: &Six) {
-    for i in 0..6 {
-        let scaled = factor * row[i];
-        for j in 0..=i {
-            matrix[i][j] += scaled * row[j];
+pub fn add_outer<const N: usize>(
+    at: [usize; N],
+    row: &[f64; N],
+    factor: f64,
+    matrix: &mut SixBySix,
+) {
+    for k in 0..N {
+        let scaled = factor * row[k];
+        for l in 0..=k {
+            matrix[at[k]][at[l]] += scaled * row[l];
         }
     }
 }
@@ -52,22 +53,23 @@ pub fn split(six: &Six) -> (Vector3<f64>, Vector3<f64>) {
 /// Solves for a positive definite matrix, in place: L D Lᵀ without square roots.
 #[inline]
 pub fn solve(matrix: &mut SixBySix, right: &mut Six) {
+    let mut inverse = [0.0; 6];
     for j in 0..6 {
         // Below the diagonal, column j keeps L D.
-        let column: Six = std::array::from_fn(|i| matrix[i][j]);
-        let inverse = 1.0 / column[j];
+        inverse[j] = 1.0 / matrix[j][j];
         for i in j + 1..6 {
-            let factor = column[i] * inverse;
-            for (value, other) in matrix[i][..=i].iter_mut().zip(column).skip(j + 1) {
-                *value -= factor * other;
+            let factor = matrix[i][j] * inverse[j];
+            for k in j + 1..=i {
+                matrix[i][k] -= factor * matrix[k][j];
             }
             right[i] -= factor * right[j];
         }
     }
     for i in (0..6).rev() {
-        let below = i + 1..6;
-        let known: f64 = below.map(|k| matrix[k][i] * right[k]).sum();
-        right[i] = (right[i] - known) / matrix[i][i];
+        for k in i + 1..6 {
+            right[i] -= matrix[k][i] * right[k];
+        }
+        right[i] *= inverse[i];
     }
 }
 
@@ -88,8 +90,9 @@ mod tests {
             row[i] = 1.0 + i as f64;
         }
         for row in &rows {
-            add_outer(&mut matrix, 30.0, row);
+            add_outer([0, 1, 2, 3, 4, 5], row, 30.0, &mut matrix);
         }
+        add_outer([1, 4], &[0.5, 2.0], 10.0, &mut matrix);
         let x = [1.0, -2.0, 3.0, 0.5, -0.25, 4.0];
         let mut b: Six =
             std::array::from_fn(|i| (0..6).map(|j| matrix[i.max(j)][i.min(j)] * x[j]).sum());

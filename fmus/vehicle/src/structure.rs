@@ -25,10 +25,12 @@ pub enum StructureError {
         vehicle: String,
     },
     /// Wheel and rail do not go together.
-    #[error("vehicle \"{vehicle}\", section [multibody.contact]: {source}")]
+    #[error("vehicle \"{vehicle}\", {key}: {source}")]
     Contact {
         /// Name of the vehicle.
         vehicle: String,
+        /// What is wrong in its file.
+        key: &'static str,
         /// Reason.
         source: ContactError,
     },
@@ -96,7 +98,7 @@ impl Structure {
         let multibody = multibody(vehicle)?;
         let bodies = bodies(multibody);
         let wheelsets = wheelsets(multibody, &bodies)
-            .map_err(|source| StructureError::Contact { vehicle: name(), source })?;
+            .map_err(|(key, source)| StructureError::Contact { vehicle: name(), key, source })?;
         let car = &bodies[0];
         let coupler = |end: f64| {
             let height = multibody.coupler.height_m;
@@ -174,15 +176,19 @@ fn bodies(multibody: &Multibody) -> Vec<RigidBody> {
 fn wheelsets(
     multibody: &Multibody,
     bodies: &[RigidBody],
-) -> Result<Vec<WheelsetData>, ContactError> {
+) -> Result<Vec<WheelsetData>, (&'static str, ContactError)> {
     let contact = &multibody.contact;
+    let wheel =
+        WheelProfile::named(&contact.wheel).map_err(|error| ("multibody.contact.wheel", error))?;
+    let rail =
+        RailProfile::named(&contact.rail).map_err(|error| ("multibody.contact.rail", error))?;
     let powered = multibody.wheelset.iter().filter(|w| w.powered).count();
     let count = multibody.wheelset.len();
     let mut wheelsets = Vec::with_capacity(count);
     for wheelset in &multibody.wheelset {
         let pair = ProfilePair {
-            wheel: WheelProfile::named(&contact.wheel)?,
-            rail: RailProfile::named(&contact.rail)?,
+            wheel: wheel.clone(),
+            rail: rail.clone(),
             rail_inclination: contact.rail_inclination,
             gauge: contact.gauge_mm * 1e-3,
             flange_back_distance: contact.flange_back_distance_mm * 1e-3,
@@ -196,7 +202,7 @@ fn wheelsets(
                 half_distance: pair.running_circle(),
                 damping: contact.damping_s_m,
             },
-            table: GeometryTable::shared(&pair)?,
+            table: GeometryTable::shared(&pair).map_err(|error| ("multibody.contact", error))?,
             static_wheel_load: 0.0,
             traction_share: if wheelset.powered { 1.0 / powered as f64 } else { 0.0 },
             brake_share: 1.0 / count as f64,

@@ -3,9 +3,7 @@
 use arrayvec::ArrayVec;
 use contact::{CreepLaw, GeometryTable};
 
-use crate::body::BodyState;
-use crate::patch::Patch;
-use crate::six::Six;
+use crate::patch::{Patch, WheelMotion};
 
 /// Most contacts of a wheel at the same time.
 pub const PATCHES: usize = GeometryTable::MOST_PATCHES;
@@ -20,6 +18,9 @@ pub enum Side {
 }
 
 impl Side {
+    /// Both, in the order of all lists.
+    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
+
     /// -1 on the left, +1 on the right.
     pub fn sign(self) -> f64 {
         match self {
@@ -62,36 +63,28 @@ pub struct Wheel {
 }
 
 impl Wheel {
-    /// The wheel on `side` of a wheelset at `state`, without its forces.
+    /// Finds the contacts of the wheel that moves like this on its rail, and their forces. (Into an
+    /// empty wheel, as copying one took a good part of a step.)
     #[inline]
-    pub fn new(side: Side, data: &WheelData, table: &GeometryTable, state: &BodyState) -> Self {
+    pub fn touch(&mut self, table: &GeometryTable, motion: &WheelMotion, creep: &CreepLaw) {
+        let WheelMotion { side, data, state, .. } = motion;
         // Eq. 16: shift towards the flange.
         let shift = side.sign() * (state.position.y - data.radius * state.rotation.x);
         let yaw_squared = state.rotation.z * state.rotation.z;
-        let mut wheel = Self::default();
-        let mut least_gap = f64::INFINITY;
+        let row = table.row(shift);
+        let mut highest = f64::NEG_INFINITY;
         for number in 0..table.patches() {
-            let Some(point) = table.patch(number, shift, yaw_squared) else {
+            let Some(contact) = table.patch(number, row, yaw_squared) else {
                 continue;
             };
-            let patch = Patch::new(number, point, side, data, state);
-            wheel.beyond |= point.beyond;
-            if patch.elastic_force > 0.0 {
-                wheel.patches.push(patch);
-            } else if -patch.approach < least_gap {
-                least_gap = -patch.approach;
-                wheel.nearest = patch.rail_lateral();
+            self.beyond |= contact.beyond();
+            let sunk = motion.sunk(&contact);
+            if sunk > 0.0 {
+                self.patches.push(Patch::new(number, &contact.point(), sunk, motion, creep));
+            } else if sunk > highest {
+                highest = sunk;
+                self.nearest = contact.rail_lateral();
             }
-        }
-        wheel
-    }
-
-    /// Finds the forces of all contacts with the wheelset's velocities against the track's frame;
-    /// `speed` is that of travel.
-    #[inline]
-    pub fn load(&mut self, data: &WheelData, creep: &CreepLaw, velocities: &Six, speed: f64) {
-        for patch in &mut self.patches {
-            patch.load(data.damping, creep, velocities, speed);
         }
     }
 

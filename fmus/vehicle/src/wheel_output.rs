@@ -1,9 +1,10 @@
 //! What a wheel does to its rail, and feels, at the end of a step.
 
-use contact::Creepages;
+use contact::{Creepages, SlipVelocity};
 
-use crate::patch::Patch;
-use crate::six::{Six, dot};
+use crate::patch::{Linearised, Patch};
+use crate::rows::ContactMotion;
+use crate::six::Six;
 use crate::wheel::{PATCHES, Standing, Wheel};
 
 /// Friction power that a contact has at least for its weight in a wheel's means, W for each N of
@@ -67,23 +68,6 @@ pub struct WheelOutput {
     pub patches: [PatchOutput; PATCHES],
 }
 
-/// How a wheelset moves in a step.
-pub struct Motion {
-    /// Change of its six velocities.
-    pub change: Six,
-    /// Velocities at the end, against the track's frame.
-    pub after: Six,
-    /// Speed of travel at the end, m/s.
-    pub speed: f64,
-}
-
-impl Motion {
-    /// Velocities in the middle of the step, against the track's frame.
-    pub fn middle(&self) -> Six {
-        std::array::from_fn(|i| self.after[i] - 0.5 * self.change[i])
-    }
-}
-
 /// Forces of a contact at the end of a step, N.
 struct EndForces {
     longitudinal: f64,
@@ -94,19 +78,19 @@ struct EndForces {
 }
 
 impl EndForces {
-    fn new(patch: &Patch, change: &Six) -> Self {
-        let (forces, creep) = (&patch.forces, &patch.forces.creep);
+    /// The forces after a `change` of the motion.
+    fn new(forces: &Linearised, change: &ContactMotion) -> Self {
+        let creep = &forces.creep;
         Self {
-            longitudinal: creep.longitudinal - creep.damping * dot(&patch.longitudinal, change),
-            lateral: creep.lateral - creep.lateral_damping * dot(&patch.lateral, change),
-            normal: forces.normal + forces.normal_damping * dot(&patch.normal, change),
+            longitudinal: creep.longitudinal - creep.damping * change.slip.longitudinal,
+            lateral: creep.lateral - creep.lateral_damping * change.slip.lateral,
+            normal: forces.normal + forces.normal_damping * change.approach,
             spin: creep.spin_moment,
         }
     }
 
-    /// Power that creep takes from the wheelset at these velocities, W.
-    fn heat(&self, patch: &Patch, velocities: &Six) -> f64 {
-        let slip = patch.slip(velocities);
+    /// Power that creep takes from the wheelset at this slip, W.
+    fn heat(&self, slip: &SlipVelocity) -> f64 {
         -self.longitudinal * slip.longitudinal - self.lateral * slip.lateral - self.spin * slip.spin
     }
 }
@@ -121,23 +105,25 @@ pub struct Heat {
 }
 
 impl WheelOutput {
-    /// Becomes the wheel at the end of a step; gives the heat by the velocities in its middle. (In
+    /// Becomes the wheel at the end of a step in which its wheelset's velocities change by `change`
+    /// and after which it travels at `speed`; gives the heat by the motion in the step's middle. (In
     /// place, as copying it took a good part of a step.)
-    pub fn take(&mut self, wheel: &Wheel, motion: &Motion) -> Heat {
-        let middle = motion.middle();
+    pub fn take(&mut self, wheel: &Wheel, change: &Six, speed: f64) -> Heat {
         let mut heat = Heat::default();
         *self = Self::default();
         let mut weights = 0.0;
         for patch in wheel.patches().iter().filter(|patch| patch.forces.normal > 0.0) {
-            let end = EndForces::new(patch, &motion.change);
-            heat.friction += end.heat(patch, &middle);
-            heat.damping += (end.normal - patch.elastic_force) * dot(&patch.normal, &middle);
-            let shown = patch_output(patch, &end, motion);
+            let change = patch.rows.motion(change);
+            let end = EndForces::new(&patch.forces, &change);
+            let middle = patch.motion.after(0.5, &change);
+            heat.friction += end.heat(&middle.slip);
+            heat.damping += (end.normal - patch.elastic_force) * middle.approach;
+            let shown = patch_output(patch, &end, &patch.motion.after(1.0, &change).slip, speed);
             let weight = shown.friction_power.max(0.0) + LEAST_POWER * shown.normal;
             self.add(&shown, weight);
             weights += weight;
-            self.guiding += patch.across(end.lateral, end.normal);
-            self.vertical += patch.upwards(end.lateral, end.normal);
+            self.guiding += patch.rows.across(end.lateral, end.normal);
+            self.vertical += patch.rows.upwards(end.lateral, end.normal);
             self.patches[patch.number] = shown;
         }
         let elastic = wheel.patches().iter().map(Patch::elastic_energy);
@@ -177,18 +163,18 @@ impl WheelOutput {
     }
 }
 
-fn patch_output(patch: &Patch, end: &EndForces, motion: &Motion) -> PatchOutput {
-    let mut creepages = patch.slip(&motion.after).creepages(motion.speed);
+fn patch_output(patch: &Patch, end: &EndForces, slip: &SlipVelocity, speed: f64) -> PatchOutput {
+    let mut creepages = slip.creepages(speed);
     creepages.longitudinal = -creepages.longitudinal;
     PatchOutput {
         creepages,
         longitudinal: end.longitudinal,
         lateral: end.lateral,
         normal: end.normal,
-        friction_power: end.heat(patch, &motion.after),
+        friction_power: end.heat(slip),
         a: patch.forces.a,
         b: patch.forces.b,
-        rail_lateral: patch.rail_lateral(),
+        rail_lateral: patch.rail_lateral,
         angle: patch.angle(),
     }
 }

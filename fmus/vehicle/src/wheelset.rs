@@ -12,11 +12,12 @@ use crate::body::{BodyState, RigidBody, Wrench};
 use crate::drive::{Drive, DriveStep};
 use crate::energy::Account;
 use crate::frame::Frame;
+use crate::patch::WheelMotion;
 use crate::rail::RailMotion;
-use crate::six::{self, Six, SixBySix, add, add_outer};
+use crate::six::{self, Six, SixBySix};
 use crate::structure::WheelsetData;
 use crate::wheel::{Side, Wheel};
-use crate::wheel_output::{Motion, WheelOutput};
+use crate::wheel_output::WheelOutput;
 
 /// A wheelset in its frame with what acts on it besides the rails.
 pub struct WheelsetStep<'a> {
@@ -50,25 +51,26 @@ impl WheelsetStep<'_> {
         let before = six::join(&state.velocity, &state.angular_velocity);
         let carrier = self.frame_velocities(state);
         let against = difference(&before, &carrier);
-        let loaded = |side, rail: &RailMotion| {
-            let seen = rail.seen_from(state);
-            let mut wheel = Wheel::new(side, &self.data.wheel, &self.data.table, &seen);
-            let against = rail.against(&against);
-            wheel.load(&self.data.wheel, self.creep, &against, state.velocity.x);
-            wheel
-        };
-        let left = loaded(Side::Left, &self.rails[0]);
-        let right = loaded(Side::Right, &self.rails[1]);
+        let mut wheels = [Wheel::default(), Wheel::default()];
+        for (wheel, (side, rail)) in wheels.iter_mut().zip(Side::BOTH.into_iter().zip(&self.rails))
+        {
+            let motion = WheelMotion {
+                side,
+                data: &self.data.wheel,
+                state: &rail.seen_from(state),
+                velocities: &rail.against(&against),
+                speed: state.velocity.x,
+            };
+            wheel.touch(&self.data.table, &motion, self.creep);
+        }
 
         let drive = self.drive.linearised(before[4]);
-        let change = self.solve([&left, &right], &drive);
+        let change = self.solve(&wheels, &drive);
 
         let after: Six = std::array::from_fn(|i| before[i] + change[i]);
         (state.velocity, state.angular_velocity) = six::split(&after);
-        let end = difference(&after, &carrier);
-        for (i, wheel) in [&left, &right].into_iter().enumerate() {
-            let motion = Motion { change, after: self.rails[i].against(&end), speed: after[0] };
-            let heat = outputs[i].take(wheel, &motion);
+        for (output, wheel) in outputs.iter_mut().zip(&wheels) {
+            let heat = output.take(wheel, &change, after[0]);
             account.friction_heat += self.step * heat.friction;
             account.contact_heat += self.step * heat.damping;
         }
@@ -85,7 +87,7 @@ impl WheelsetStep<'_> {
     }
 
     /// Change of the six velocities (eq. 25).
-    fn solve(&self, wheels: [&Wheel; 2], drive: &DriveStep) -> Six {
+    fn solve(&self, wheels: &[Wheel; 2], drive: &DriveStep) -> Six {
         let (mass, inertia) = (self.body.mass, &self.body.inertia);
         let diagonal = [mass, mass, mass, inertia.x, inertia.y, inertia.z];
         let mut matrix: SixBySix = [[0.0; 6]; 6];
@@ -95,16 +97,8 @@ impl WheelsetStep<'_> {
         let mut right = six::join(&self.wrench.force, &self.wrench.moment);
         right[4] += drive.torque;
         matrix[4][4] += self.step * drive.damping;
-        for patch in wheels.into_iter().flat_map(Wheel::patches) {
-            let forces = &patch.forces;
-            let creep = &forces.creep;
-            add_outer(&mut matrix, self.step * creep.damping, &patch.longitudinal);
-            add_outer(&mut matrix, self.step * creep.lateral_damping, &patch.lateral);
-            add_outer(&mut matrix, self.step * forces.normal_damping, &patch.normal);
-            add(&mut right, creep.longitudinal, &patch.longitudinal);
-            add(&mut right, creep.lateral, &patch.lateral);
-            add(&mut right, creep.spin_moment, &patch.spin);
-            add(&mut right, -forces.normal, &patch.normal);
+        for patch in wheels.iter().flat_map(Wheel::patches) {
+            patch.rows.add(&patch.forces, self.step, &mut matrix, &mut right);
         }
         right.iter_mut().for_each(|value| *value *= self.step);
         six::solve(&mut matrix, &mut right);

@@ -2,96 +2,10 @@
 //! (§2.2, fmi2ModelDescription.xsd).
 
 use super::description::KINDS;
-
-/// What an attribute may hold.
-pub enum Value {
-    /// Any text.
-    Text,
-    /// A number.
-    Real,
-    /// A whole number.
-    Integer,
-    /// A whole number, not negative.
-    Unsigned,
-    /// Whole numbers, not negative, with spaces between them.
-    UnsignedList,
-    /// `true`, `false`, `1` or `0`.
-    Boolean,
-    /// A date and time as `2026-11-22T09:30:00Z`.
-    DateTime,
-    /// One of these words.
-    Word(&'static [&'static str]),
-    /// Some of these words, with spaces between them.
-    WordList(&'static [&'static str]),
-}
-
-/// An attribute.
-pub struct Attribute {
-    /// Name.
-    pub name: &'static str,
-    /// What it may hold.
-    pub value: Value,
-    /// Whether it must be there.
-    pub required: bool,
-}
-
-/// An element: its attributes and what may stand inside, in this order.
-pub struct Schema {
-    /// Name.
-    pub name: &'static str,
-    /// Attributes.
-    pub attributes: &'static [Attribute],
-    /// Places for child elements in order; none: anything may stand inside.
-    pub slots: Option<&'static [Slot]>,
-}
-
-/// A place for child elements.
-pub struct Slot {
-    /// One of these stands there.
-    pub choices: &'static [Schema],
-    /// Whether the place must be filled.
-    pub required: bool,
-    /// Whether several may stand there.
-    pub many: bool,
-}
-
-const fn may(name: &'static str, value: Value) -> Attribute {
-    Attribute { name, value, required: false }
-}
-
-const fn must(name: &'static str, value: Value) -> Attribute {
-    Attribute { name, value, required: true }
-}
-
-const fn leaf(name: &'static str, attributes: &'static [Attribute]) -> Schema {
-    Schema { name, attributes, slots: Some(&[]) }
-}
-
-const fn tree(
-    name: &'static str,
-    attributes: &'static [Attribute],
-    slots: &'static [Slot],
-) -> Schema {
-    Schema { name, attributes, slots: Some(slots) }
-}
-
-const fn optional(choices: &'static [Schema]) -> Slot {
-    Slot { choices, required: false, many: false }
-}
-
-const fn one(choices: &'static [Schema]) -> Slot {
-    Slot { choices, required: true, many: false }
-}
-
-const fn some(choices: &'static [Schema]) -> Slot {
-    Slot { choices, required: true, many: true }
-}
-
-const fn any_number(choices: &'static [Schema]) -> Slot {
-    Slot { choices, required: false, many: true }
-}
-
-use Value::{Boolean, DateTime, Integer, Real, Text, Unsigned, UnsignedList, Word, WordList};
+use super::grammar::Value::{
+    Boolean, DateTime, Integer, Real, Text, Unsigned, UnsignedList, Word, WordList,
+};
+use super::grammar::{Schema, any_number, leaf, may, must, one, optional, some, tree};
 
 /// The whole description.
 pub const ROOT: Schema = tree(

@@ -2,7 +2,7 @@
 //!
 //! | file | rules |
 //! |---|---|
-//! | `schema.rs`, `elements.rs` | elements and attributes, as the schema of the standard has them |
+//! | `schema.rs`, `grammar.rs`, `elements.rs` | elements and attributes, as the schema of the standard has them |
 //! | `root.rs` | what the FMU is and can do, log categories, default experiment |
 //! | `units.rs` | units and types |
 //! | `names.rs`, `kinds.rs`, `start.rs` | variables: names and references, what they are, values |
@@ -18,6 +18,7 @@ mod command;
 mod dependencies;
 mod description;
 mod elements;
+mod grammar;
 mod kinds;
 mod names;
 mod package;

@@ -4,7 +4,8 @@
 use roxmltree::Attribute as Written;
 
 use super::description::{Description, Element};
-use super::elements::{Attribute, ROOT, Schema, Slot, Value};
+use super::elements::ROOT;
+use super::grammar::{Attribute, Schema, Slot, Value};
 use super::{Breaches, Rule, Severity};
 
 pub const RULES: &[Rule] = &[

@@ -8,16 +8,16 @@ use super::callbacks::{Messages, callbacks};
 use super::crash::calling;
 use super::import::Import;
 use super::step::StateSlot;
-use crate::interface::{Interface, VariableType};
-use crate::unit::{Unit, UnitError};
+use crate::interface::VariableType;
+use crate::unit::UnitError;
 
 /// `fmi2CoSimulation` of `fmi2Type`.
 const CO_SIMULATION: i32 = 1;
 
 /// One instance of an FMU.
 pub struct FmuInstance {
-    import: Arc<Import>,
-    name: String,
+    pub(super) import: Arc<Import>,
+    pub(super) name: String,
     /// Name and file, for the message of a crash.
     label: CString,
     component: Component,
@@ -25,7 +25,7 @@ pub struct FmuInstance {
     pub(super) retries: bool,
     /// The state before the last step, if discarded steps are tried again.
     pub(super) slot: StateSlot,
-    messages: Box<Messages>,
+    pub(super) messages: Box<Messages>,
     /// Kept because the FMU may hold on to the pointer.
     _callbacks: Box<binding::Callbacks>,
 }
@@ -161,7 +161,7 @@ impl FmuInstance {
     }
 
     /// Names variables for messages.
-    fn names(&self, kind: VariableType, references: &[u32]) -> String {
+    pub(super) fn names(&self, kind: VariableType, references: &[u32]) -> String {
         let name = |&reference: &u32| {
             let name = self.import.interface().name_of(kind, reference);
             name.map_or_else(|| format!("value reference {reference}"), str::to_owned)
@@ -171,119 +171,6 @@ impl FmuInstance {
             [one] => name(one),
             [first, ..] => format!("{} and {} more", name(first), references.len() - 1),
         }
-    }
-}
-
-/// Setting and getting of variables of a type.
-macro_rules! exchange {
-    ($($set:ident, $get:ident: $type:ty, $kind:ident, $c_set:ident $set_name:literal, $c_get:ident $get_name:literal;)*) => {$(
-        fn $set(&mut self, references: &[u32], values: &[$type]) -> Result<(), UnitError> {
-            assert_eq!(references.len(), values.len(), "one value for each reference");
-            self.call(
-                $set_name,
-                // SAFETY: both arrays have the stated length.
-                |f, c| unsafe { (f.$c_set)(c, references.as_ptr(), references.len(), values.as_ptr()) },
-                |this| format!(" of {}", this.names(VariableType::$kind, references)),
-            )
-        }
-
-        fn $get(&mut self, references: &[u32], values: &mut [$type]) -> Result<(), UnitError> {
-            assert_eq!(references.len(), values.len(), "one place for each reference");
-            self.call(
-                $get_name,
-                // SAFETY: both arrays have the stated length.
-                |f, c| unsafe { (f.$c_get)(c, references.as_ptr(), references.len(), values.as_mut_ptr()) },
-                |this| format!(" of {}", this.names(VariableType::$kind, references)),
-            )
-        }
-    )*};
-}
-
-impl Unit for FmuInstance {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn source_file(&self) -> &str {
-        self.import.file()
-    }
-
-    fn interface(&self) -> &Interface {
-        self.import.interface()
-    }
-
-    fn set_text(&mut self, reference: u32, value: &str) -> Result<(), UnitError> {
-        let c_value = CString::new(value).unwrap_or_default();
-        let pointer = c_value.as_ptr();
-        self.call(
-            c"fmi2SetString",
-            // SAFETY: one reference and one string, both alive during the call.
-            |f, c| unsafe { (f.set_string)(c, &raw const reference, 1, &raw const pointer) },
-            |this| format!(" of {} = '{value}'", this.names(VariableType::Text, &[reference])),
-        )
-    }
-
-    fn get_text(&mut self, reference: u32) -> Result<String, UnitError> {
-        let mut text = std::ptr::null();
-        self.call(
-            c"fmi2GetString",
-            // SAFETY: one reference, and room for one pointer.
-            |f, c| unsafe { (f.get_string)(c, &raw const reference, 1, &raw mut text) },
-            |this| format!(" of {}", this.names(VariableType::Text, &[reference])),
-        )?;
-        if text.is_null() {
-            return Ok(String::new());
-        }
-        // SAFETY: the FMU's string stays valid until the next call of the instance (§2.1.7),
-        // and is copied before.
-        Ok(unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned())
-    }
-
-    exchange! {
-        set_reals, get_reals: f64, Real, set_real c"fmi2SetReal", get_real c"fmi2GetReal";
-        set_integers, get_integers: i32, Integer, set_integer c"fmi2SetInteger", get_integer c"fmi2GetInteger";
-        set_booleans, get_booleans: i32, Boolean, set_boolean c"fmi2SetBoolean", get_boolean c"fmi2GetBoolean";
-    }
-
-    fn enter_initialization(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {
-        self.call(
-            c"fmi2SetupExperiment",
-            // SAFETY: the instance is alive.
-            |f, c| unsafe { (f.setup_experiment)(c, 0, 0.0, start, 1, stop) },
-            |_| format!(" from {start} s to {stop} s"),
-        )?;
-        self.call(
-            c"fmi2EnterInitializationMode",
-            // SAFETY: the instance is alive.
-            |f, c| unsafe { (f.enter_initialization)(c) },
-            |_| String::new(),
-        )
-    }
-
-    fn exit_initialization(&mut self) -> Result<(), UnitError> {
-        self.call(
-            c"fmi2ExitInitializationMode",
-            // SAFETY: the instance is alive.
-            |f, c| unsafe { (f.exit_initialization)(c) },
-            |_| String::new(),
-        )
-    }
-
-    fn step(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
-        self.step_or_retry(time, length)
-    }
-
-    fn terminate(&mut self) -> Result<(), UnitError> {
-        self.call(
-            c"fmi2Terminate",
-            // SAFETY: the instance is alive.
-            |f, c| unsafe { (f.terminate)(c) },
-            |_| String::new(),
-        )
-    }
-
-    fn take_warnings(&mut self) -> Vec<String> {
-        self.messages.take_warnings()
     }
 }
 

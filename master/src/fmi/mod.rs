@@ -7,7 +7,7 @@
 //! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
-//! | `instance.rs` | an instance of it: a [`Unit`](crate::unit::Unit) |
+//! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::unit::Unit) |
 //! | `step.rs` | the step, and what each status of it means |
 //! | `logger.c` | the variadic part of the logger |
 //!
@@ -22,6 +22,7 @@ mod describe;
 mod import;
 mod instance;
 mod step;
+mod unit;
 
 pub use binding::missing_functions;
 pub use crash::watch as watch_crashes;

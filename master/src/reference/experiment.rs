@@ -6,6 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::ReferenceError;
+use crate::file_error::FileError;
 
 /// By how much a value may differ where the FMU does not say, in parts of the largest magnitude of
 /// its signal: what solvers with another step may differ by.
@@ -36,7 +37,7 @@ impl Experiment {
     /// # Errors
     /// When the file cannot be read, or makes no sense.
     pub fn read(file: &Path) -> Result<Self, ReferenceError> {
-        let text = std::fs::read_to_string(file).map_err(ReferenceError::io(file))?;
+        let text = std::fs::read_to_string(file).map_err(FileError::at(file))?;
         let experiment: Self =
             toml::from_str(&text).map_err(|error| ReferenceError::content(file, error))?;
         let positive = |value: f64| value > 0.0 && value.is_finite();

@@ -8,6 +8,7 @@ use super::experiment::Experiment;
 use super::table::Table;
 use super::{ReferenceError, run};
 use crate::archive;
+use crate::file_error::FileError;
 use crate::fmi::Import;
 
 /// Folder inside of an FMU.
@@ -38,7 +39,7 @@ impl Reference {
     /// # Errors
     /// When the FMU has none, or a file of it makes no sense.
     pub fn of(fmu: &Path) -> Result<Self, ReferenceError> {
-        let folder = tempfile::tempdir().map_err(ReferenceError::io(fmu))?;
+        let folder = tempfile::tempdir().map_err(FileError::at(fmu))?;
         archive::unpack(fmu, folder.path()).map_err(|error| ReferenceError::content(fmu, error))?;
         let files = folder.path().join(FOLDER);
         let manifest = files.join(MANIFEST);
@@ -88,17 +89,17 @@ pub fn pack(fmu: &Path, folder: &Path) -> Result<(), ReferenceError> {
     let import = Import::open(fmu)?;
     let result = run::run(&import, &experiment, &inputs)?;
 
-    let content = tempfile::tempdir().map_err(ReferenceError::io(fmu))?;
+    let content = tempfile::tempdir().map_err(FileError::at(fmu))?;
     let packing = |error: archive::ArchiveError| ReferenceError::content(fmu, error);
     archive::unpack(fmu, content.path()).map_err(packing)?;
     let files = content.path().join(FOLDER);
-    std::fs::create_dir_all(&files).map_err(ReferenceError::io(&files))?;
+    std::fs::create_dir_all(&files).map_err(FileError::at(&files))?;
     for name in [EXPERIMENT, INPUTS] {
         let from = folder.join(name);
-        std::fs::copy(&from, files.join(name)).map_err(ReferenceError::io(&from))?;
+        std::fs::copy(&from, files.join(name)).map_err(FileError::at(&from))?;
     }
     result.write(&files.join(RESULT))?;
-    std::fs::write(files.join(MANIFEST), manifest()).map_err(ReferenceError::io(&files))?;
+    std::fs::write(files.join(MANIFEST), manifest()).map_err(FileError::at(&files))?;
     archive::pack(content.path(), fmu).map_err(packing)
 }
 

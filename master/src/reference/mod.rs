@@ -21,6 +21,7 @@ mod table;
 
 use std::path::{Path, PathBuf};
 
+use crate::file_error::FileError;
 use crate::fmi::ImportError;
 use crate::unit::UnitError;
 
@@ -34,13 +35,8 @@ pub enum ReferenceError {
     #[error("{0} carries no reference result (extra/org.fmi-standard.fmi-ls-ref)")]
     None(PathBuf),
     /// A file cannot be read or written.
-    #[error("{file}: {source}")]
-    Io {
-        /// File.
-        file: PathBuf,
-        /// Reason.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// A file does not hold what it should.
     #[error("{file}: {problem}")]
     Content {
@@ -68,11 +64,6 @@ pub enum ReferenceError {
 }
 
 impl ReferenceError {
-    fn io(file: &Path) -> impl FnOnce(std::io::Error) -> Self {
-        let file = file.to_owned();
-        |source| Self::Io { file, source }
-    }
-
     fn content(file: &Path, problem: impl ToString) -> Self {
         Self::Content { file: file.to_owned(), problem: problem.to_string() }
     }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::ReferenceError;
+use crate::file_error::FileError;
 
 /// Signals over time.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -57,7 +58,7 @@ impl Table {
             let cells = std::iter::once(time).chain(row).map(f64::to_string);
             writer.write_record(cells).map_err(wrong)?;
         }
-        writer.flush().map_err(ReferenceError::io(file))
+        Ok(writer.flush().map_err(FileError::at(file))?)
     }
 
     /// Values at a time: on the line between the rows around it, and those of the first or last

@@ -9,6 +9,7 @@ use super::ReportError;
 use super::data::{Curve, RailField, ReportData, Snapshot, VehicleSeries};
 use super::facts::{EnergyLine, RunFacts};
 use super::{main_figures, rail_figures};
+use crate::file_error::read_toml;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Column of the train in which the notch stands.
@@ -36,7 +37,7 @@ impl Results {
     /// Opens `manifest.toml` and `series/` in `folder`.
     pub fn open(folder: &Path) -> Result<Self, ReportError> {
         let series = folder.join("series");
-        let facts = facts(&folder.join("manifest.toml"))?;
+        let facts = read_toml::<Manifest>(&folder.join("manifest.toml"))?.run;
         let outputs = match facts.outputs.is_empty() || facts.train_alone {
             true => None,
             false => Some(SeriesReader::open(&series, "outputs")?),
@@ -96,16 +97,6 @@ fn energy(facts: &RunFacts, train: &SeriesReader) -> Vec<EnergyLine> {
         EnergyLine { name: description.unwrap_or(&line.name).to_owned(), joules: line.joules }
     };
     facts.energy.iter().map(described).collect()
-}
-
-fn facts(file: &Path) -> Result<RunFacts, ReportError> {
-    let text = std::fs::read_to_string(file)
-        .map_err(|source| ReportError::File { file: file.to_owned(), source })?;
-    let manifest: Manifest = toml::from_str(&text).map_err(|source| ReportError::Manifest {
-        file: file.to_owned(),
-        source: Box::new(source),
-    })?;
-    Ok(manifest.run)
 }
 
 fn vehicle(

@@ -1,5 +1,6 @@
 //! The figures with curves: over time for the plotted vehicles, and along the track.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use serde::Serialize;
@@ -16,20 +17,22 @@ use super::rail_figures::SOURCES;
 /// A figure: panels one below the other.
 #[derive(Serialize)]
 pub(super) struct Figure {
-    title: &'static str,
-    caption: &'static str,
-    panels: Vec<Panel>,
+    pub title: Cow<'static, str>,
+    pub caption: Cow<'static, str>,
+    pub panels: Vec<Panel>,
 }
 
+/// A drawing with its legend.
 #[derive(Serialize)]
-struct Panel {
-    name: &'static str,
-    legend: Vec<LegendEntry>,
-    svg: String,
+pub(super) struct Panel {
+    pub name: &'static str,
+    pub legend: Vec<LegendEntry>,
+    pub svg: String,
 }
 
+/// What the line of a colour is.
 #[derive(Serialize)]
-struct LegendEntry {
+pub(super) struct LegendEntry {
     label: String,
     colour: String,
 }
@@ -105,8 +108,8 @@ fn motion_figure(data: &ReportData) -> Result<Figure, ReportError> {
         panels.push(Panel { name: "", legend: vec![], svg: chart.svg()? });
     }
     Ok(Figure {
-        title: "Speed and notch",
-        caption: "Speed of the leading vehicle, and notch of the locomotives.",
+        title: "Speed and notch".into(),
+        caption: "Speed of the leading vehicle, and notch of the locomotives.".into(),
         panels,
     })
 }
@@ -144,7 +147,7 @@ fn vehicle_figure(
         let labels = vehicles.iter().map(|vehicle| format!("vehicle {}", vehicle.place));
         panels.push(Panel { name, legend: legend(labels, first_colour), svg: chart.svg()? });
     }
-    Ok(Figure { title, caption, panels })
+    Ok(Figure { title: title.into(), caption: caption.into(), panels })
 }
 
 /// Rise of the foot over untouched rail: along the track over the whole time, and under the last
@@ -175,8 +178,8 @@ pub(super) fn foot(rails: &[RailData], facts: &RailFacts) -> Result<Option<Figur
     };
     let run = first.time.partition_point(|&time| time <= facts.last_train_end_s + 1e-9);
     Ok(Some(Figure {
-        title: "Rise of the foot",
-        caption: "Rise over rail that no wheel has touched, at the same time.",
+        title: "Rise of the foot".into(),
+        caption: "Rise over rail that no wheel has touched, at the same time.".into(),
         panels: vec![
             panel(
                 "Highest along the track",
@@ -198,9 +201,10 @@ pub(super) fn heat(rails: &[RailData]) -> Result<Option<Figure>, ReportError> {
         panels.push(Panel { name: panel_name(&rail.side), legend: legend(labels, 0), svg });
     }
     Ok((!panels.is_empty()).then_some(Figure {
-        title: "Heat per metre by source",
+        title: "Heat per metre by source".into(),
         caption: "At the end, positive into the rail. The weather acts on the whole rail all the time, with \
-                  and without a train.",
+                  and without a train."
+            .into(),
         panels,
     }))
 }
@@ -229,8 +233,9 @@ pub(super) fn surface(
     };
     let labels = field.snapshots.iter().map(|snapshot| format!("at {} s", seconds(snapshot.time)));
     Ok(Figure {
-        title: "Surface rise along the track",
-        caption: "Rise in the uppermost cell; bands show the range of the elements within a pixel.",
+        title: "Surface rise along the track".into(),
+        caption: "Rise in the uppermost cell; bands show the range of the elements within a pixel."
+            .into(),
         panels: vec![Panel {
             name: panel_name(side),
             legend: legend(labels, 0),
@@ -245,7 +250,10 @@ fn panel_name(side: &str) -> &'static str {
 }
 
 /// The labels with the colours of their lines.
-fn legend(labels: impl Iterator<Item = String>, first_colour: usize) -> Vec<LegendEntry> {
+pub(super) fn legend(
+    labels: impl Iterator<Item = String>,
+    first_colour: usize,
+) -> Vec<LegendEntry> {
     let entry = |(index, label)| LegendEntry {
         label,
         colour: palette::html(palette::line(first_colour + index)),

@@ -1,5 +1,5 @@
 //! The report of a run: one self-contained page with the main figures and the paper's figures
-//! 8 to 12 (Bosomworth et al. 2018).
+//! 8 to 12 (Bosomworth et al. 2018), or of a system's run with what its components gave.
 //!
 //! | file | part |
 //! |---|---|
@@ -16,6 +16,7 @@
 //! | `heat_by_source.rs` | heat per metre by source, as bars |
 //! | `heat_map.rs` | temperature rise over chainage and depth, as a picture with axes |
 //! | `page.rs` | the page, from `templates/report.html` |
+//! | `system.rs` | the page of a system of which nothing is known but its variables |
 //! | `write.rs` | all of it: from a results folder to `report.html` |
 //!
 //! The page refers to nothing outside itself: drawings are inline SVG, pictures are data URIs.
@@ -33,19 +34,24 @@ mod page;
 mod palette;
 mod quantity;
 mod rail_figures;
+mod system;
 mod write;
 
 #[cfg(test)]
+mod invented;
+#[cfg(test)]
+mod system_tests;
+#[cfg(test)]
 mod tests;
 
-use std::path::PathBuf;
-
+use crate::file_error::FileError;
 use crate::recording::RecordingError;
 
 use collect::collect;
 pub use data::MainFigure;
 pub use facts::{EnergyLine, RailFacts, RunFacts};
 use page::render;
+pub use system::{ComponentFacts, SystemFacts};
 pub use write::write;
 
 /// Why a report cannot be made.
@@ -57,22 +63,9 @@ pub enum ReportError {
     /// The rail's field cannot be read.
     #[error(transparent)]
     Field(#[from] field::FieldError),
-    /// A file cannot be read or written.
-    #[error("{file}: {source}")]
-    File {
-        /// File.
-        file: PathBuf,
-        /// Reason.
-        source: std::io::Error,
-    },
-    /// The manifest is not what a run writes.
-    #[error("{file}: {source}")]
-    Manifest {
-        /// The manifest.
-        file: PathBuf,
-        /// Reason, with line and caret.
-        source: Box<toml::de::Error>,
-    },
+    /// A file cannot be read or written, or the manifest is not what a run writes.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// A figure cannot be drawn.
     #[error("figure \"{figure}\": {reason}")]
     Drawing {

@@ -1,4 +1,4 @@
-//! The page, from `templates/report.html`.
+//! The page of a train's run, from `templates/report.html`.
 
 use minijinja::Environment;
 use minijinja::value::Serde;
@@ -15,6 +15,14 @@ use super::quantity::{round_with_unit, seconds, with_unit};
 
 /// Sensitivity of an uncooled thermal camera (paper, section 2), K.
 const CAMERA: f64 = 0.015;
+
+/// Pages and what they are made of.
+const TEMPLATES: [(&str, &str); 4] = [
+    ("page.html", include_str!("../../templates/page.html")),
+    ("figure.html", include_str!("../../templates/figure.html")),
+    ("report.html", include_str!("../../templates/report.html")),
+    ("system.html", include_str!("../../templates/system.html")),
+];
 
 /// All that the template shows.
 #[derive(Serialize)]
@@ -99,10 +107,16 @@ pub fn render(data: &ReportData) -> Result<String, ReportError> {
         let maps = HeatMaps { field, scale, elements, locomotives, curves };
         page.heat.push(heat_figure(&rail.side, maps)?);
     }
+    fill("report.html", &page)
+}
+
+/// Fills the template of this name.
+pub(super) fn fill(template: &str, page: &impl Serialize) -> Result<String, ReportError> {
     let mut environment = Environment::new();
-    environment.add_template("report.html", include_str!("../../templates/report.html"))?;
-    let template = environment.get_template("report.html")?;
-    Ok(template.render(Serde(&page))?)
+    for (name, text) in TEMPLATES {
+        environment.add_template(name, text)?;
+    }
+    Ok(environment.get_template(template)?.render(Serde(page))?)
 }
 
 /// The tables with what the run says of each rail: all rails have the same lines.

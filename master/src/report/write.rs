@@ -2,9 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
+use serde::Deserialize;
+
 use super::data::MainFigure;
 use super::rail_figures::listed;
+use super::system::{self, SystemFacts};
 use super::{ReportError, collect, render};
+use crate::file_error::{FileError, read_toml};
+
+/// The part of a manifest that only the run of a system has.
+#[derive(Deserialize)]
+struct Manifest {
+    system: Option<SystemFacts>,
+}
 
 /// Reads the results in `folder`, writes their report beside them, and gives its path and the
 /// figures.
@@ -12,10 +22,15 @@ use super::{ReportError, collect, render};
 /// # Errors
 /// When the results cannot be read or the report cannot be written.
 pub fn write(folder: &Path) -> Result<(PathBuf, Vec<MainFigure>), ReportError> {
-    let data = collect(folder)?;
+    let (page, figures) = match read_toml::<Manifest>(&folder.join("manifest.toml"))?.system {
+        Some(facts) => (system::render(&facts, folder)?, vec![]),
+        None => {
+            let data = collect(folder)?;
+            let of_rails = data.rails.iter().flat_map(listed);
+            (render(&data)?, data.main_figures.iter().cloned().chain(of_rails).collect())
+        }
+    };
     let file = folder.join("report.html");
-    std::fs::write(&file, render(&data)?)
-        .map_err(|source| ReportError::File { file: file.clone(), source })?;
-    let of_rails = data.rails.iter().flat_map(listed);
-    Ok((file, data.main_figures.iter().cloned().chain(of_rails).collect()))
+    std::fs::write(&file, page).map_err(FileError::at(&file))?;
+    Ok((file, figures))
 }

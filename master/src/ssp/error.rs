@@ -1,6 +1,7 @@
 //! Why a system cannot be read, written or run.
 
 use crate::archive::ArchiveError;
+use crate::file_error::FileError;
 use crate::fmi::ImportError;
 use crate::pack::PackError;
 use crate::unit::UnitError;
@@ -12,13 +13,8 @@ pub enum SspError {
     #[error(transparent)]
     Archive(#[from] ArchiveError),
     /// A file cannot be read or written.
-    #[error("{path}: {source}")]
-    Io {
-        /// File.
-        path: String,
-        /// Reason.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// A file of the package is not XML.
     #[error("{file} is not XML: {source}")]
     Syntax {
@@ -57,9 +53,4 @@ pub enum SspError {
     /// The XML cannot be written.
     #[error("SystemStructure.ssd: {0}")]
     Xml(#[from] serde_xml_rs::Error),
-}
-
-/// An error of a file or folder.
-pub fn io_error(path: &std::path::Path) -> impl FnOnce(std::io::Error) -> SspError + '_ {
-    move |source| SspError::Io { path: path.display().to_string(), source }
 }

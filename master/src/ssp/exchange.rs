@@ -1,5 +1,7 @@
 //! What flows between the units of a system: values by type, and links from output to input.
 
+use std::time::Duration;
+
 use super::structure::Value;
 use crate::interface::VariableType;
 use crate::si::Linear;
@@ -111,9 +113,17 @@ pub struct Part {
     pub inputs: Signals,
     /// Outputs that are connected.
     pub outputs: Signals,
+    /// Wall time of its steps so far.
+    pub wall: Duration,
 }
 
 impl Part {
+    /// A unit that is not connected yet.
+    pub fn new(unit: Box<dyn Unit>) -> Self {
+        let (inputs, outputs) = (Signals::default(), Signals::default());
+        Self { unit, inputs, outputs, wall: Duration::ZERO }
+    }
+
     /// An input as `component.variable`, for messages.
     pub fn input_name(&self, kind: VariableType, at: usize) -> String {
         let reference = match kind {

@@ -3,10 +3,9 @@
 
 use std::path::Path;
 
-use controller::{Gains, Motion};
-use miette::Diagnostic;
+use controller::Gains;
 
-use super::error::{SspError, io_error};
+use super::error::SspError;
 use super::export_parameters::{constants, gains, parameters};
 use super::export_wiring::{TRAIN, component_name, controller_name};
 use super::read::STRUCTURE_FILE;
@@ -14,38 +13,13 @@ use super::sources::Sources;
 use super::structure::{Component, Structure};
 use super::write::write;
 use crate::archive;
+use crate::error::RunError;
+use crate::file_error::FileError;
 use crate::lockstep::Lockstep;
-use crate::parallel;
-use crate::prepare::{Folders, PrepareError, prepare};
-use crate::run::default_threads;
-use crate::scenario::{self, Scenario, ScenarioError, Scheme};
-use crate::unit::UnitError;
-
-/// Why a scenario cannot be exported.
-#[derive(Debug, thiserror::Error, Diagnostic)]
-pub enum ExportError {
-    /// The scenario is wrong.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Scenario(#[from] ScenarioError),
-    /// The units cannot be set up.
-    #[error(transparent)]
-    Prepare(#[from] PrepareError),
-    /// The units cannot be initialised, which start values need.
-    #[error("initialisation: {0}")]
-    Start(#[from] UnitError),
-    /// The package cannot be written.
-    #[error(transparent)]
-    Ssp(#[from] SspError),
-    /// The controller's FMU is not where it should be.
-    #[error(
-        "{0} is missing; build Hotfoot's FMUs with `cargo xtask fmus`, or name their folder with --fmus"
-    )]
-    NoController(String),
-    /// The system gives no threads.
-    #[error("threads cannot be started: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-}
+use crate::parallel::{default_threads, pool};
+use crate::prepare::{Folders, check_fmu, prepare};
+use crate::scenario::{self, Scenario, Scheme};
+use crate::start::{StartError, start_of};
 
 /// What an export tells.
 #[derive(Debug)]
@@ -65,21 +39,18 @@ const CONTROLLER_FMU: &str = "synchronisation.fmu";
 ///
 /// # Errors
 /// When the scenario is wrong, a unit fails, or the package cannot be written.
-pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, ExportError> {
+pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, RunError> {
     let (scenario, _, _) = scenario::load(path)?;
     let controller = fmus.join(CONTROLLER_FMU);
-    if !scenario.train_alone && !controller.exists() {
-        return Err(ExportError::NoController(controller.display().to_string()));
+    if !scenario.train_alone {
+        check_fmu(&controller)?;
     }
-    let folder = tempfile::tempdir().map_err(io_error(target))?;
+    let folder = tempfile::tempdir().map_err(FileError::at(target))?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().join("results") };
     let mut lockstep = prepare(&scenario, &folders)?;
-    let start = Motion {
-        position: scenario.train.leading_vehicle_position_m,
-        velocity: scenario.train.speed_m_per_s,
-    };
-    let pool = parallel::pool(default_threads())?;
-    pool.install(|| lockstep.initialize(start, scenario.duration_s, scenario.duration_s))?;
+    let (start, stop) = (start_of(&scenario), scenario.duration_s);
+    let started = pool(default_threads())?.install(|| lockstep.initialize(start, stop, stop));
+    started.map_err(StartError::from)?;
 
     let package = folder.path().join("package");
     let mut sources = Sources::new(&package);
@@ -88,7 +59,7 @@ pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, Expor
     let structure = exporter.structure(&scenario, &controller)?;
     sources.copy()?;
     let file = package.join(STRUCTURE_FILE);
-    std::fs::write(&file, write(&structure)?).map_err(io_error(&file))?;
+    std::fs::write(&file, write(&structure)?).map_err(FileError::at(&file))?;
     archive::pack(&package, target).map_err(SspError::from)?;
     Ok(Exported {
         components: structure.components.len(),
@@ -121,11 +92,7 @@ struct Exporter<'e> {
 }
 
 impl Exporter<'_> {
-    fn structure(
-        &mut self,
-        scenario: &Scenario,
-        controller: &Path,
-    ) -> Result<Structure, ExportError> {
+    fn structure(&mut self, scenario: &Scenario, controller: &Path) -> Result<Structure, SspError> {
         let mut structure = Structure {
             name: TRAIN.to_owned(),
             start: Some(0.0),
@@ -133,20 +100,15 @@ impl Exporter<'_> {
             step: Some(scenario.step_s),
             ..Structure::default()
         };
-        for unit in self.lockstep.units_mut() {
+        for (unit, kept) in self.lockstep.units_with_constants() {
+            let mut parameters = parameters(unit.as_mut(), self.folders)?;
+            parameters.extend(constants(unit.as_ref(), kept));
             structure.components.push(Component {
                 name: component_name(unit.name()),
                 source: self.sources.add(Path::new(unit.source_file())),
                 connectors: vec![],
-                parameters: parameters(unit.as_mut(), self.folders)?,
+                parameters,
             });
-        }
-        let train = &self.lockstep.train;
-        let rails = self.lockstep.rails.iter().map(|rail| (&rail.unit, &rail.constants));
-        for (unit, kept) in std::iter::once((&train.unit, &train.constants)).chain(rails) {
-            let name = component_name(unit.name());
-            let component = structure.components.iter_mut().find(|other| other.name == name);
-            component.into_iter().for_each(|own| own.parameters.extend(constants(&**unit, kept)));
         }
         if !self.lockstep.vehicles.is_empty() {
             let source = self.sources.add(controller);

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `structure.rs` | what a system structure says |
 //! | `read.rs`, `connect.rs`, `parameters.rs`, `xml.rs` | from the files of a package to it |
-//! | `write.rs` | from it to a file that other tools accept |
+//! | `write.rs`, `elements.rs` | from it to a file that other tools accept |
 //! | `export.rs`, `export_wiring.rs`, `export_parameters.rs`, `sources.rs` | a scenario's train as a package |
 //! | `wire.rs`, `exchange.rs` | from a structure to instances of FMUs with what flows between them |
 //! | `system.rs` | initialisation and steps, all units from the last exchange |
@@ -12,6 +12,7 @@
 //! | `error.rs` | what can be wrong |
 
 mod connect;
+mod elements;
 mod error;
 mod exchange;
 mod export;
@@ -29,7 +30,9 @@ mod write;
 mod xml;
 
 #[cfg(test)]
-mod tests;
+mod structure_tests;
+#[cfg(test)]
+mod system_tests;
 
 pub use error::SspError;
 pub use export::export;

@@ -6,10 +6,11 @@ use std::path::{Component as PathPart, Path};
 
 use roxmltree::Node;
 
-use super::error::{SspError, io_error};
+use super::error::SspError;
 use super::read::{transformation, units};
 use super::structure::{Parameter, Value};
 use super::xml::{XmlFile, child, children, listed};
+use crate::file_error::FileError;
 use crate::si::SiUnit;
 
 /// The start values that are bound to an element, in the order in which they are applied.
@@ -60,7 +61,7 @@ fn text_of(
         return Err(file.wrong(node, message));
     }
     let path = package.join(source);
-    std::fs::read_to_string(&path).map_err(io_error(&path))
+    Ok(std::fs::read_to_string(&path).map_err(FileError::at(&path))?)
 }
 
 /// The parameters of an element ParameterSet.

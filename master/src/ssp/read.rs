@@ -7,10 +7,11 @@ use std::path::Path;
 use roxmltree::Node;
 
 use super::connect::{self, Edge};
-use super::error::{SspError, io_error};
+use super::error::SspError;
 use super::parameters;
 use super::structure::{Component, Connector, ConnectorKind, Endpoint, Structure};
 use super::xml::{XmlFile, child, children, listed};
+use crate::file_error::FileError;
 use crate::si::{Dimension, Linear, SiUnit};
 
 /// Name of the default structure in a package.
@@ -25,7 +26,7 @@ pub const FMU_TYPE: &str = "application/x-fmu-sharedlibrary";
 /// When a file is missing or not as SSP 1.0 wants it.
 pub fn read(package: &Path) -> Result<Structure, SspError> {
     let path = package.join(STRUCTURE_FILE);
-    let text = std::fs::read_to_string(&path).map_err(io_error(&path))?;
+    let text = std::fs::read_to_string(&path).map_err(FileError::at(&path))?;
     let file = XmlFile::parse(STRUCTURE_FILE, &text)?;
     let root = file.document.root_element();
     let system = child(root, "System")

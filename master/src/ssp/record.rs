@@ -7,6 +7,7 @@ use super::exchange::Signals;
 use super::system::System;
 use crate::observe::ObserveError;
 use crate::recording::{Column, SeriesWriter};
+use crate::unit::Unit;
 
 /// Recorded time in a part of a series on disk, s; a killed run loses less than this.
 const PART_S: f64 = 1.0;
@@ -37,10 +38,7 @@ impl Recorder {
         let mut tables = vec![];
         for (part, of_system) in system.parts.iter().enumerate() {
             let (outputs, columns) = outputs(of_system.unit.interface());
-            if columns.is_empty() {
-                continue;
-            }
-            let name = table_name(of_system.unit.name());
+            let Some(name) = table_name(of_system.unit.as_ref()) else { continue };
             let writer = SeriesWriter::create(folder, &name, vec![], columns, per_part)?;
             tables.push(Table { part, outputs, writer });
         }
@@ -93,8 +91,10 @@ fn outputs(interface: &crate::Interface) -> (Signals, Vec<Column>) {
     (signals, columns)
 }
 
-/// A component's name as that of a file.
-fn table_name(component: &str) -> String {
+/// Name of the table of a component: its own, as that of a file; none if it has no output that is a
+/// number.
+pub fn table_name(component: &dyn Unit) -> Option<String> {
     let plain = |c: char| if c.is_alphanumeric() || "._-[]".contains(c) { c } else { '_' };
-    component.chars().map(plain).collect()
+    let (_, columns) = outputs(component.interface());
+    (!columns.is_empty()).then(|| component.name().chars().map(plain).collect())
 }

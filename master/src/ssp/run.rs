@@ -4,23 +4,25 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use miette::Diagnostic;
 use serde::Serialize;
 
 use super::error::SspError;
+use super::exchange::Part;
 use super::read::read;
-use super::record::Recorder;
+use super::record::{Recorder, table_name};
 use super::structure::Structure;
-use super::system::{StartError, System};
+use super::system::System;
 use super::wire::wire;
 use crate::archive;
+use crate::error::RunError;
 use crate::lockstep::Clock;
-use crate::manifest::{FmuEntry, ManifestError, Origin, fmus, write_toml};
-use crate::observe::ObserveError;
-use crate::parallel;
+use crate::manifest::{FmuEntry, Origin, fmus, write_toml};
 use crate::progress::Progress;
-use crate::run::{absolute, default_threads, new_folder};
-use crate::unit::UnitError;
+use crate::report::{self, ComponentFacts, SystemFacts};
+use crate::stepping::{FailedStep, StepFailure};
+use crate::times::Stopwatch;
+use crate::unit::{take_warnings, terminate};
+use crate::workplace::Workplace;
 
 /// How a system is run.
 #[derive(Debug, Clone, Default)]
@@ -46,75 +48,13 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Why a system's run failed.
-#[derive(Debug, thiserror::Error, Diagnostic)]
-pub enum SystemRunError {
-    /// The package cannot be read, or does not fit its FMUs.
-    #[error(transparent)]
-    Ssp(#[from] SspError),
-    /// A number makes no sense.
-    #[error("{name} {value}: must be a number of seconds greater than zero")]
-    Number {
-        /// Its name.
-        name: &'static str,
-        /// The number.
-        value: f64,
-    },
-    /// The system cannot be initialised.
-    #[error("initialisation: {0}")]
-    Start(#[from] StartError),
-    /// A component failed while running; what was recorded before is kept.
-    #[error("at {time} s: {source}; the results until then are in {results}")]
-    Step {
-        /// Time at which the step began, s.
-        time: f64,
-        /// Reason.
-        source: UnitError,
-        /// Folder of the results.
-        results: String,
-    },
-    /// A component could not complete what it writes.
-    #[error("at the end of the run: {0}")]
-    End(UnitError),
-    /// Recording failed.
-    #[error(transparent)]
-    Observe(#[from] ObserveError),
-    /// A file of the results cannot be written.
-    #[error("{path}: {source}")]
-    Io {
-        /// File or folder.
-        path: String,
-        /// Reason.
-        source: std::io::Error,
-    },
-    /// The system gives no threads.
-    #[error("{threads} threads cannot be started: {source}")]
-    Threads {
-        /// Threads wanted.
-        threads: usize,
-        /// Reason.
-        source: rayon::ThreadPoolBuildError,
-    },
-}
-
-impl From<ManifestError> for SystemRunError {
-    fn from(error: ManifestError) -> Self {
-        Self::Io { path: error.path, source: error.source }
-    }
-}
-
 /// What made the results of a system's run.
 #[derive(Debug, Serialize)]
 struct SystemManifest {
     #[serde(flatten)]
     origin: Origin,
-    package: String,
-    system: String,
-    /// Simulated time reached, s; 0 while the run has not ended.
-    simulated_s: f64,
-    step_s: f64,
-    threads: usize,
-    wall_time_s: f64,
+    /// What the report shows of the run.
+    system: SystemFacts,
     fmu: Vec<FmuEntry>,
 }
 
@@ -128,7 +68,7 @@ pub struct FinishedSystem {
     wall: Duration,
     threads: usize,
     warnings: Vec<String>,
-    series: PathBuf,
+    report: PathBuf,
 }
 
 /// Times of a run.
@@ -140,18 +80,15 @@ struct Times {
 
 impl Times {
     /// What the user says, else what the package says.
-    fn of(structure: &Structure, options: &SystemOptions) -> Result<Self, SystemRunError> {
+    fn of(structure: &Structure, options: &SystemOptions) -> Result<Self, RunError> {
         let start = structure.start.unwrap_or(0.0);
         let length = options.step.or(structure.step).unwrap_or(DEFAULT_STEP);
         let in_package = structure.stop.map(|stop| stop - start);
         let duration = options.duration.or(in_package).unwrap_or(DEFAULT_DURATION);
         let interval = options.interval.unwrap_or(DEFAULT_INTERVAL.max(length));
-        let numbers = [("--step", length), ("--duration", duration), ("--interval", interval)];
-        for (name, value) in numbers {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(SystemRunError::Number { name, value });
-            }
-        }
+        RunError::check_time("--step", length)?;
+        RunError::check_time("--duration", duration)?;
+        RunError::check_time("--interval", interval)?;
         Ok(Self {
             clock: Clock { start, length },
             steps: ((duration / length).round() as u64).max(1),
@@ -168,16 +105,9 @@ impl Times {
 ///
 /// # Errors
 /// When the package is wrong or a component fails.
-pub fn run(path: &Path, options: &SystemOptions) -> Result<FinishedSystem, SystemRunError> {
-    let threads = options.threads.unwrap_or_else(default_threads);
-    let pool =
-        parallel::pool(threads).map_err(|source| SystemRunError::Threads { threads, source })?;
-    let results = match &options.results {
-        Some(folder) => folder.clone(),
-        None => new_folder(&path.file_stem().unwrap_or_default().to_string_lossy()),
-    };
-    let results = absolute(&results)
-        .map_err(|source| SystemRunError::Io { path: results.display().to_string(), source })?;
+pub fn run(path: &Path, options: &SystemOptions) -> Result<FinishedSystem, RunError> {
+    let Workplace { threads, pool, results } =
+        Workplace::open(options.threads, options.results.as_deref(), path)?;
     // The FMUs stay beside the results that they made.
     let package = results.join("package");
     archive::unpack(path, &package).map_err(SspError::from)?;
@@ -185,37 +115,61 @@ pub fn run(path: &Path, options: &SystemOptions) -> Result<FinishedSystem, Syste
     let times = Times::of(&structure, options)?;
     let file = path.display().to_string();
     let mut system = wire(&structure, &package, &file, times.clock)?;
-    let mut manifest = SystemManifest {
-        origin: Origin::new(),
+    let facts = SystemFacts {
+        name: structure.name,
         package: file,
-        system: structure.name.clone(),
         simulated_s: 0.0,
         step_s: times.clock.length,
         threads,
-        wall_time_s: 0.0,
-        fmu: fmus(system.units()),
+        wall_time_s: None,
+        recording_s: 0.0,
+        component: system.parts.iter().map(component_facts).collect(),
     };
+    let mut manifest =
+        SystemManifest { origin: Origin::new(), system: facts, fmu: fmus(system.units()) };
     write_toml(&manifest, &results)?;
-    let (done, wall, outcome) =
+    let Stepped { steps: done, wall, recording, outcome } =
         pool.install(|| step_and_record(&mut system, &times, &results, options.quiet))?;
-    manifest.simulated_s = times.clock.at(done) - times.clock.start;
-    manifest.wall_time_s = wall.as_secs_f64();
+    let facts = &mut manifest.system;
+    facts.simulated_s = times.clock.at(done) - times.clock.start;
+    facts.wall_time_s = Some(wall.as_secs_f64());
+    facts.recording_s = recording.as_secs_f64();
+    facts.component = system.parts.iter().map(component_facts).collect();
     write_toml(&manifest, &results)?;
     outcome?;
+    let (report, _) = report::write(&results)?;
     Ok(FinishedSystem {
-        system: structure.name,
+        simulated: manifest.system.simulated_s,
+        system: manifest.system.name,
         components: system.parts.len(),
-        simulated: manifest.simulated_s,
         steps: times.steps,
         wall,
         threads,
-        warnings: warnings(&mut system),
-        series: results.join("series"),
+        warnings: take_warnings(system.units_mut()),
+        report,
     })
 }
 
-/// Steps done, wall time, and how the run ended.
-type Stepped = (u64, Duration, Result<(), SystemRunError>);
+fn component_facts(part: &Part) -> ComponentFacts {
+    let file = Path::new(part.unit.source_file()).file_name().unwrap_or_default();
+    ComponentFacts {
+        name: part.unit.name().to_owned(),
+        fmu: file.to_string_lossy().into_owned(),
+        series: table_name(part.unit.as_ref()),
+        wall_time_s: part.wall.as_secs_f64(),
+    }
+}
+
+/// How far a run has come, and how it ended.
+struct Stepped {
+    /// Steps done.
+    steps: u64,
+    /// Their wall time with recording.
+    wall: Duration,
+    /// That of recording alone.
+    recording: Duration,
+    outcome: Result<(), RunError>,
+}
 
 /// Initialises, steps and records; whatever happens, what was computed is completed on disk.
 fn step_and_record(
@@ -223,42 +177,43 @@ fn step_and_record(
     times: &Times,
     results: &Path,
     quiet: bool,
-) -> Result<Stepped, SystemRunError> {
+) -> Result<Stepped, RunError> {
     system.initialize(times.stop())?;
     let mut recorder = Recorder::new(system, times.every, &results.join("series"))?;
     recorder.observe(0, system)?;
     let mut progress = Progress::new(times.steps, times.stop(), quiet);
     let begin = Instant::now();
-    let mut done = 0;
+    let (mut steps, mut recording) = (0, Duration::ZERO);
     let mut outcome = Ok(());
-    while outcome.is_ok() && done < times.steps {
-        outcome = system
-            .step(done)
-            .map_err(|source| SystemRunError::Step {
-                time: times.clock.at(done),
-                source,
-                results: results.display().to_string(),
-            })
-            .and_then(|()| Ok(recorder.observe(done + 1, system)?));
+    while outcome.is_ok() && steps < times.steps {
+        let time = times.clock.at(steps);
+        outcome = step(system, &mut recorder, steps, &mut recording)
+            .map_err(|source| FailedStep { time, source });
         if outcome.is_ok() {
-            done += 1;
-            progress.show_with(done, times.clock.at(done), String::new);
+            steps += 1;
+            progress.show_with(steps, times.clock.at(steps), String::new);
         }
     }
     progress.finish();
     let wall = begin.elapsed();
     recorder.finish()?;
-    let end = system.terminate().map_err(SystemRunError::End);
-    Ok((done, wall, outcome.and(end)))
+    let end = terminate(system.units_mut()).map_err(RunError::End);
+    let outcome = outcome.map_err(|failed| RunError::step(failed, results)).and(end);
+    Ok(Stepped { steps, wall, recording, outcome })
 }
 
-fn warnings(system: &mut System) -> Vec<String> {
-    let of_part = |part: &mut super::exchange::Part| {
-        let name = part.unit.name().to_owned();
-        let warnings = part.unit.take_warnings().into_iter();
-        warnings.map(move |text| format!("{name}: {text}")).collect::<Vec<_>>()
-    };
-    system.parts.iter_mut().flat_map(of_part).collect()
+/// Takes the system from point `k` to `k + 1` and records it, which adds to the time of `recording`.
+fn step(
+    system: &mut System,
+    recorder: &mut Recorder,
+    k: u64,
+    recording: &mut Duration,
+) -> Result<(), StepFailure> {
+    system.step(k)?;
+    let mut watch = Stopwatch::start();
+    recorder.observe(k + 1, system)?;
+    *recording += watch.lap();
+    Ok(())
 }
 
 impl fmt::Display for FinishedSystem {
@@ -276,6 +231,6 @@ impl fmt::Display for FinishedSystem {
         for warning in &self.warnings {
             writeln!(f, "warning: {warning}")?;
         }
-        write!(f, "series: {}", self.series.display())
+        write!(f, "report: {}", self.report.display())
     }
 }

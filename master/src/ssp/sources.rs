@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::error::{SspError, io_error};
+use super::error::SspError;
+use crate::file_error::FileError;
 
 /// The FMU files of a package, each once.
 pub(super) struct Sources {
@@ -37,9 +38,9 @@ impl Sources {
     /// Copies all files into the package.
     pub(super) fn copy(&self) -> Result<(), SspError> {
         let folder = self.package.join("resources");
-        std::fs::create_dir_all(&folder).map_err(io_error(&folder))?;
+        std::fs::create_dir_all(&folder).map_err(FileError::at(&folder))?;
         for (file, name) in &self.names {
-            std::fs::copy(file, self.package.join(name)).map_err(io_error(file))?;
+            std::fs::copy(file, self.package.join(name)).map_err(FileError::at(file))?;
         }
         Ok(())
     }

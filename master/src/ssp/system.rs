@@ -4,6 +4,8 @@ use super::exchange::{Link, Links, Part};
 use crate::interface::VariableType;
 use crate::lockstep::Clock;
 use crate::parallel;
+use crate::start::StartError;
+use crate::times::Stopwatch;
 use crate::unit::{Unit, UnitError};
 
 /// Units and what flows between them.
@@ -14,24 +16,6 @@ pub struct System {
     pub parts: Vec<Part>,
     /// What flows between them.
     pub links: Links,
-}
-
-/// Why a system cannot start.
-#[derive(Debug, thiserror::Error)]
-pub enum StartError {
-    /// A unit refuses.
-    #[error(transparent)]
-    Unit(#[from] UnitError),
-    /// Initial values depend on each other.
-    #[error(
-        "the initial values of {} depend on each other in a loop and do not settle; give start \
-         values that fit, or break the loop",
-        inputs.join(", ")
-    )]
-    Loop {
-        /// Inputs that still change, as `component.variable`.
-        inputs: Vec<String>,
-    },
 }
 
 /// Sweeps of the initialisation beyond the longest chain that there can be without a loop: in
@@ -105,23 +89,22 @@ impl System {
         let (time, length) = (self.clock.at(k), self.clock.length);
         self.links.transfer(&mut self.parts, |_, _| {});
         parallel::for_each(&mut self.parts, |part| {
+            let mut watch = Stopwatch::start();
             part.inputs.set(part.unit.as_mut())?;
             part.unit.step(time, length)?;
-            part.outputs.get(part.unit.as_mut())
+            part.outputs.get(part.unit.as_mut())?;
+            part.wall += watch.lap();
+            Ok(())
         })
-    }
-
-    /// Ends the run of all units; every one is told, the first error is given.
-    ///
-    /// # Errors
-    /// When a unit could not complete what it writes.
-    pub fn terminate(&mut self) -> Result<(), UnitError> {
-        let ends: Vec<_> = self.parts.iter_mut().map(|part| part.unit.terminate()).collect();
-        ends.into_iter().collect()
     }
 
     /// All units.
     pub fn units(&self) -> impl Iterator<Item = &dyn Unit> {
         self.parts.iter().map(|part| part.unit.as_ref())
+    }
+
+    /// All units.
+    pub fn units_mut(&mut self) -> impl Iterator<Item = &mut Box<dyn Unit>> {
+        self.parts.iter_mut().map(|part| &mut part.unit)
     }
 }

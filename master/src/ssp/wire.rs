@@ -8,7 +8,7 @@ use std::sync::Arc;
 use percent_encoding::percent_decode_str;
 
 use super::error::SspError;
-use super::exchange::{Link, Part, Place, Signals};
+use super::exchange::{Link, Part, Place};
 use super::structure::{Component, Connection, Parameter, Structure, Value};
 use super::system::System;
 use crate::fmi::{FmuInstance, Import};
@@ -34,11 +34,7 @@ pub fn wire(
     for component in &structure.components {
         let import = &imports[component.source.as_str()];
         let unit: Box<dyn Unit> = Box::new(FmuInstance::new(import, &component.name)?);
-        wiring.system.parts.push(Part {
-            unit,
-            inputs: Signals::default(),
-            outputs: Signals::default(),
-        });
+        wiring.system.parts.push(Part::new(unit));
     }
     for connection in &structure.connections {
         if let Err(problem) = wiring.connect(connection) {

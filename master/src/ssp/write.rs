@@ -2,10 +2,14 @@
 //! FMPy all accept: no connectors of the system, only connectors that are connected, the type
 //! of a component written out, and start values inline (issues 751 and 759 of OMSimulator).
 
-use serde::Serialize;
 use serde_xml_rs::SerdeXml;
 use xml::EmitterConfig;
 
+use super::elements::{
+    Algorithm, Annotation, Annotations, Binding, Bindings, Component, Connection, Connections,
+    Connector, Connectors, Description, Elements, Empty, Experiment, FixedStep, Parameter,
+    ParameterSet, ParameterValues, Parameters, System, Transformation, TypedValue,
+};
 use super::error::SspError;
 use super::read::FMU_TYPE;
 use super::structure::{ConnectorKind, Structure, Value};
@@ -24,202 +28,6 @@ pub fn write(structure: &Structure) -> Result<String, SspError> {
         .namespace("osp", "http://opensimulationplatform.com/SSP/OSPAnnotations")
         .to_string(&Description::of(structure))?;
     Ok(text + "\n")
-}
-
-#[derive(Serialize)]
-#[serde(rename = "ssd:SystemStructureDescription")]
-struct Description<'a> {
-    #[serde(rename = "@version")]
-    version: &'static str,
-    #[serde(rename = "@name")]
-    name: &'a str,
-    #[serde(rename = "@generationTool")]
-    generation_tool: &'static str,
-    #[serde(rename = "ssd:System")]
-    system: System<'a>,
-    #[serde(rename = "ssd:DefaultExperiment")]
-    experiment: Experiment,
-}
-
-#[derive(Serialize)]
-struct System<'a> {
-    #[serde(rename = "@name")]
-    name: &'a str,
-    #[serde(rename = "ssd:Elements")]
-    elements: Elements<'a>,
-    #[serde(rename = "ssd:Connections")]
-    connections: Connections<'a>,
-}
-
-#[derive(Serialize)]
-struct Elements<'a> {
-    #[serde(rename = "ssd:Component")]
-    components: Vec<Component<'a>>,
-}
-
-#[derive(Serialize)]
-struct Component<'a> {
-    #[serde(rename = "@name")]
-    name: &'a str,
-    #[serde(rename = "@type")]
-    kind: &'static str,
-    #[serde(rename = "@source")]
-    source: &'a str,
-    #[serde(rename = "ssd:Connectors")]
-    connectors: Option<Connectors<'a>>,
-    #[serde(rename = "ssd:ParameterBindings")]
-    bindings: Option<Bindings<'a>>,
-}
-
-#[derive(Serialize)]
-struct Connectors<'a> {
-    #[serde(rename = "ssd:Connector")]
-    connectors: Vec<Connector<'a>>,
-}
-
-#[derive(Serialize)]
-struct Connector<'a> {
-    #[serde(rename = "@name")]
-    name: &'a str,
-    #[serde(rename = "@kind")]
-    kind: &'static str,
-    #[serde(rename = "ssc:Real")]
-    real: Empty,
-}
-
-#[derive(Serialize)]
-struct Empty {}
-
-#[derive(Serialize)]
-struct Bindings<'a> {
-    #[serde(rename = "ssd:ParameterBinding")]
-    binding: Binding<'a>,
-}
-
-#[derive(Serialize)]
-struct Binding<'a> {
-    #[serde(rename = "ssd:ParameterValues")]
-    values: ParameterValues<'a>,
-}
-
-#[derive(Serialize)]
-struct ParameterValues<'a> {
-    #[serde(rename = "ssv:ParameterSet")]
-    set: ParameterSet<'a>,
-}
-
-#[derive(Serialize)]
-struct ParameterSet<'a> {
-    #[serde(rename = "@version")]
-    version: &'static str,
-    #[serde(rename = "@name")]
-    name: &'static str,
-    #[serde(rename = "ssv:Parameters")]
-    parameters: Parameters<'a>,
-}
-
-#[derive(Serialize)]
-struct Parameters<'a> {
-    #[serde(rename = "ssv:Parameter")]
-    parameters: Vec<Parameter<'a>>,
-}
-
-#[derive(Serialize)]
-struct Parameter<'a> {
-    #[serde(rename = "@name")]
-    name: &'a str,
-    #[serde(rename = "#content")]
-    value: TypedValue<'a>,
-}
-
-#[derive(Serialize)]
-enum TypedValue<'a> {
-    #[serde(rename = "ssv:Real")]
-    Real {
-        #[serde(rename = "@value")]
-        value: f64,
-    },
-    #[serde(rename = "ssv:Integer")]
-    Integer {
-        #[serde(rename = "@value")]
-        value: i32,
-    },
-    #[serde(rename = "ssv:Boolean")]
-    Boolean {
-        #[serde(rename = "@value")]
-        value: bool,
-    },
-    #[serde(rename = "ssv:String")]
-    Text {
-        #[serde(rename = "@value")]
-        value: &'a str,
-    },
-}
-
-#[derive(Serialize)]
-struct Connections<'a> {
-    #[serde(rename = "ssd:Connection")]
-    connections: Vec<Connection<'a>>,
-}
-
-#[derive(Serialize)]
-struct Connection<'a> {
-    #[serde(rename = "@startElement")]
-    start_element: &'a str,
-    #[serde(rename = "@startConnector")]
-    start_connector: &'a str,
-    #[serde(rename = "@endElement")]
-    end_element: &'a str,
-    #[serde(rename = "@endConnector")]
-    end_connector: &'a str,
-    #[serde(rename = "@suppressUnitConversion")]
-    suppress_unit_conversion: Option<bool>,
-    #[serde(rename = "ssc:LinearTransformation")]
-    transformation: Option<Transformation>,
-}
-
-#[derive(Serialize)]
-struct Transformation {
-    #[serde(rename = "@factor")]
-    factor: f64,
-    #[serde(rename = "@offset")]
-    offset: f64,
-}
-
-#[derive(Serialize)]
-struct Experiment {
-    #[serde(rename = "@startTime")]
-    start: f64,
-    #[serde(rename = "@stopTime")]
-    stop: Option<f64>,
-    #[serde(rename = "ssd:Annotations")]
-    annotations: Option<Annotations>,
-}
-
-#[derive(Serialize)]
-struct Annotations {
-    #[serde(rename = "ssc:Annotation")]
-    annotation: Annotation,
-}
-
-#[derive(Serialize)]
-struct Annotation {
-    #[serde(rename = "@type")]
-    kind: &'static str,
-    #[serde(rename = "osp:Algorithm")]
-    algorithm: Algorithm,
-}
-
-#[derive(Serialize)]
-struct Algorithm {
-    #[serde(rename = "osp:FixedStepAlgorithm")]
-    fixed_step: FixedStep,
-}
-
-#[derive(Serialize)]
-struct FixedStep {
-    #[serde(rename = "@baseStepSize")]
-    step: f64,
 }
 
 impl<'a> Description<'a> {

@@ -35,8 +35,9 @@ const EDGE: f64 = 1e-3;
 /// Division of the contact for the nodes.
 const DIVISION: Division = Division { pairs: 8, elements: 32 };
 
-/// Ratios at one node: cx, cy, cs, dx, ex, dy, ey, cd; a cache line.
-type Node = [f64; 8];
+/// Ratios at one node: cx, cy, cs, dx, ex, dy, ey, cd. Single precision is far finer than the table is
+/// exact, and makes half as many cache lines of it.
+type Node = [f32; 8];
 
 /// The law as a table.
 pub(crate) struct FastsimTable {
@@ -93,7 +94,7 @@ impl FastsimTable {
         let (nx, ny) = (motion.longitudinal.abs(), motion.lateral.abs());
         let z = both * motion.spin.abs();
         let slide = (nx * nx + ny * ny).sqrt();
-        let m = (slide * slide + z * z).sqrt();
+        let m = (nx * nx + ny * ny + z * z).sqrt();
         // A wheel that does not creep at all has any direction.
         let tiny = f64::MIN_POSITIVE;
         let inside = m.min(LARGEST);
@@ -119,28 +120,32 @@ impl FastsimTable {
 
     /// Linear in all four places, each from 0 to 1.
     #[inline]
-    fn interpolated(&self, places: [f64; 4]) -> Node {
-        let mut index = [0; 4];
+    fn interpolated(&self, places: [f64; 4]) -> [f64; 8] {
+        let mut first = 0;
         let mut part = [0.0; 4];
         for k in 0..4 {
             let place = places[k].clamp(0.0, 1.0) * (NODES[k] - 1) as f64;
-            index[k] = (place as usize).min(NODES[k] - 2);
-            part[k] = place - index[k] as f64;
+            let index = (place as usize).min(NODES[k] - 2);
+            first += index * STRIDES[k];
+            part[k] = place - index as f64;
         }
-        let mut ratios = [0.0; 8];
-        for corner in 0..16 {
-            let (mut node, mut weight) = (0, 1.0);
-            for k in 0..4 {
-                let upper = corner >> k & 1;
-                node += (index[k] + upper) * STRIDES[k];
-                weight *= if upper == 1 { part[k] } else { 1.0 - part[k] };
-            }
-            for (sum, value) in ratios.iter_mut().zip(&self.nodes[node]) {
-                *sum += weight * value;
-            }
-        }
-        ratios
+        let corners = &self.nodes[first..][..=STRIDES[0] + STRIDES[1] + STRIDES[2] + STRIDES[3]];
+        let over_size = |node: usize| {
+            between(&corners[node].map(f64::from), &corners[node + 1].map(f64::from), part[0])
+        };
+        let over_direction =
+            |node: usize| between(&over_size(node), &over_size(node + STRIDES[1]), part[1]);
+        let over_spin = |node: usize| {
+            between(&over_direction(node), &over_direction(node + STRIDES[2]), part[2])
+        };
+        between(&over_spin(0), &over_spin(STRIDES[3]), part[3])
     }
+}
+
+/// `part` of the way from the ratios of one place to those of another.
+#[inline]
+fn between(one: &[f64; 8], other: &[f64; 8], part: f64) -> [f64; 8] {
+    std::array::from_fn(|i| one[i] + part * (other[i] - one[i]))
 }
 
 /// The ratios at the node with these indices.
@@ -165,7 +170,7 @@ fn node(index: [usize; 4]) -> Node {
     let even = |of: fn(&Action) -> f64| 0.5 * (of(&with) + of(&against)) * q / z;
     let odd = |of: fn(&Action) -> f64| 0.5 * (of(&with) - of(&against)) * q / ny;
     let across = 0.5 * q / nx;
-    [
+    let ratios = [
         across * (with.longitudinal + against.longitudinal),
         odd(|action| action.lateral),
         even(|action| action.lateral),
@@ -174,7 +179,8 @@ fn node(index: [usize; 4]) -> Node {
         even(|action| action.moment_y),
         odd(|action| action.moment_y),
         across * (with.longitudinal - against.longitudinal),
-    ]
+    ];
+    ratios.map(|ratio| ratio as f32)
 }
 
 #[cfg(test)]

@@ -52,8 +52,10 @@ impl Reduction {
         let longitudinal = creepages.longitudinal;
         let creepage = (longitudinal * longitudinal + lateral * lateral).sqrt();
         let kalker = STEEL.shear_modulus * PI * patch.a * patch.b * patch.kalker.c11;
-        let eps = 0.25 * self.initial * kalker * creepage / limit;
-        self.initial * (self.remaining + (1.0 - self.remaining) / (1.0 + self.fall * eps))
+        // eps mu N.
+        let force = 0.25 * self.initial * kalker * creepage;
+        let falling = (1.0 - self.remaining) * limit / (limit + self.fall * force);
+        self.initial * (self.remaining + falling)
     }
 }
 
@@ -77,29 +79,33 @@ impl Stiffness {
         creepages: &Creepages,
         limit: f64,
     ) -> Self {
-        let (a, b, kalker) = (patch.a, patch.b, &patch.kalker);
-        let modulus = STEEL.shear_modulus * reduction.factor(patch, creepages, limit) / a;
-        let own = Self {
-            longitudinal: 0.375 * modulus * kalker.c11,
-            lateral: 0.375 * modulus * kalker.c22,
-            spin: modulus * kalker.c23 / (FRAC_PI_4 * (a / b).sqrt()),
-        };
-        let square = |value: f64| value * value;
-        let (xi, eta) = (square(creepages.longitudinal), square(creepages.lateral));
-        let spin = square(creepages.spin * a * (FRAC_PI_4 * 0.375));
-        let sum = xi + eta + spin;
-        if sum == 0.0 {
-            return own;
-        }
-        let critical = limit / (STEEL.shear_modulus * a * b);
-        let critical = square(critical / kalker.c11) + square(critical / kalker.c22);
-        let share = (((xi + eta) / critical).sqrt() / 3.0).min(1.0);
-        let one = sum / (xi * own.longitudinal + eta * own.lateral + spin * own.spin);
-        let mixed = |stiffness: f64| 1.0 / ((1.0 - share) / stiffness + share * one);
+        let modulus = STEEL.shear_modulus * reduction.factor(patch, creepages, limit) / patch.a;
+        let [longitudinal, lateral, spin] = coefficients(patch, creepages, limit);
         Self {
-            longitudinal: mixed(own.longitudinal),
-            lateral: mixed(own.lateral),
-            spin: mixed(own.spin),
+            longitudinal: modulus * longitudinal,
+            lateral: modulus * lateral,
+            spin: modulus * spin,
         }
     }
+}
+
+/// a/(G L) of the three flexibilities without reduction, with the passage to one (C1, C7).
+#[inline]
+fn coefficients(patch: &ContactPatch, creepages: &Creepages, limit: f64) -> [f64; 3] {
+    let (a, b, kalker) = (patch.a, patch.b, &patch.kalker);
+    let (c11, c22) = (kalker.c11, kalker.c22);
+    let own = [0.375 * c11, 0.375 * c22, kalker.c23 * (b / a).sqrt() / FRAC_PI_4];
+    let square = |value: f64| value * value;
+    let (xi, eta) = (square(creepages.longitudinal), square(creepages.lateral));
+    let spin = square(creepages.spin * a * (FRAC_PI_4 * 0.375));
+    let sum = xi + eta + spin;
+    if sum == 0.0 {
+        return own;
+    }
+    let saturation = c11 * c22 * STEEL.shear_modulus * a * b / (3.0 * limit);
+    let share = saturation * ((xi + eta) / (c11 * c11 + c22 * c22)).sqrt();
+    let share = share.min(1.0);
+    // The common one is weighted/sum.
+    let weighted = xi * own[0] + eta * own[1] + spin * own[2];
+    own.map(|own| own * weighted / ((1.0 - share) * weighted + share * sum * own))
 }

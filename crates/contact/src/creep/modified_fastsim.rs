@@ -104,15 +104,15 @@ impl ModifiedFastsim {
         let damping = limit * answer.longitudinal * longitudinal * per_speed;
         let lateral_damping = limit * answer.lateral * lateral * per_speed;
         let spin_force = -limit * answer.rest;
-        let spin_moment = -direction
-            * limit
-            * stiffness.spin
-            * (a * answer.moment_y / stiffness.lateral
-                - b * answer.moment_x / stiffness.longitudinal);
+        let moment =
+            a * answer.moment_y * stiffness.longitudinal - b * answer.moment_x * stiffness.lateral;
+        let spin_moment = -direction * limit * stiffness.spin * moment
+            / (stiffness.longitudinal * stiffness.lateral);
         let force = spin_force - lateral_damping * across;
         let power = damping * along * along - force * across - spin_moment * slip.spin;
         // Discretisation and interpolation may exceed friction by a trifle.
-        let cut = (limit / (damping * along).hypot(force)).min(1.0);
+        let square = damping * along * damping * along + force * force;
+        let cut = if square > limit * limit { limit / square.sqrt() } else { 1.0 };
         CreepForces {
             longitudinal: -cut * damping * along,
             lateral: cut * force,

@@ -41,13 +41,15 @@ impl ContactPoint {
     /// The contact under `normal_force` (N); without load, or with tension, its size is zero.
     pub fn patch(&self, normal_force: f64) -> ContactPatch {
         let normal_force = normal_force.max(0.0);
-        let scale = normal_force.cbrt();
-        ContactPatch {
-            normal_force,
-            a: self.hertz.semi_axis_rolling * scale,
-            b: self.hertz.semi_axis_lateral * scale,
-            kalker: self.kalker,
-        }
+        self.pressed(self.hertz.approach(normal_force), normal_force)
+    }
+
+    /// The contact of two bodies nearer by the elastic `approach` (m), which carries `normal_force`
+    /// (N). Damping adds to the force, not to the size.
+    #[inline]
+    pub fn pressed(&self, approach: f64, normal_force: f64) -> ContactPatch {
+        let (a, b) = self.hertz.semi_axes(approach);
+        ContactPatch { normal_force, a, b, kalker: self.kalker }
     }
 }
 

@@ -10,7 +10,9 @@
 //! | `table.rs` | contacts over the lateral shift, interpolated |
 //! | `shared.rs` | one table for each pair in a process |
 //! | `wheelset.rs` | both wheels of a rolled wheelset, for validation |
+//! | `conicity.rs` | the equivalent conicity that follows |
 
+pub(crate) mod conicity;
 pub(crate) mod contact_point;
 mod lobes;
 pub(crate) mod pair;

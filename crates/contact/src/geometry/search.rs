@@ -85,8 +85,7 @@ impl Touch {
     pub(super) fn hertz(&self, nominal_radius: f64) -> UnitContact {
         let cos_angle = 1.0 / (1.0 + self.slope * self.slope).sqrt();
         let rolling = 0.5 * cos_angle / (nominal_radius + self.wheel_height);
-        let hertz = UnitContact::new(rolling, 0.5 * self.relative_curvature, &STEEL);
-        UnitContact { stiffness: self.share * hertz.stiffness, ..hertz }
+        UnitContact::new(rolling, 0.5 * self.relative_curvature, &STEEL).shared(self.share)
     }
 }
 

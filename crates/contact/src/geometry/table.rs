@@ -21,7 +21,7 @@ const ROWS_AWAY: i32 = 400;
 const ROWS_TOWARDS: i32 = 600;
 
 /// Number of linearly interpolated values in a row.
-const LINEAR: usize = 10;
+const LINEAR: usize = 11;
 
 /// One row of a patch.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +30,7 @@ struct Row {
     slope: f64,
     /// Derivatives of the two above by the square of the yaw.
     yaw: (f64, f64),
-    /// In the order in which [`GeometryTable::patch`] takes them out.
+    /// In the order in which [`PatchAt`] takes them out.
     linear: [f64; LINEAR],
 }
 
@@ -117,31 +117,34 @@ impl GeometryTable {
     /// number gives the first row.
     pub fn at(&self, shift: f64) -> ContactPoint {
         let row = self.row(shift);
-        let points = self.patches.iter().filter_map(|rows| point(rows, &row, 0.0));
-        let first = points.reduce(|a, b| if b.drop < a.drop { b } else { a });
+        let patches = (0..self.patches()).filter_map(|patch| self.patch(patch, row, 0.0));
+        let first = patches.reduce(|a, b| if b.drop < a.drop { b } else { a });
         // Every row has a contact, but two rows between which one ends and another begins may not.
-        first.unwrap_or_else(|| interpolated(&self.patches[0], &row, 0.0))
+        first.unwrap_or_else(|| PatchAt::new(&self.patches[0], row, 0.0)).point()
     }
 
-    /// The contact of a patch, counted from 0, at a lateral `shift` in m and the square of the yaw
-    /// in rad; nothing where the pair has no such patch.
+    /// A patch, counted from 0, at a place of [`Self::row`] and the square of the yaw in rad; nothing
+    /// where the pair has no such patch.
     #[inline]
-    pub fn patch(&self, patch: usize, shift: f64, yaw_squared: f64) -> Option<ContactPoint> {
-        point(&self.patches[patch], &self.row(shift), yaw_squared)
+    pub fn patch(&self, patch: usize, row: RowPlace, yaw_squared: f64) -> Option<PatchAt<'_>> {
+        let patch = PatchAt::new(&self.patches[patch], row, yaw_squared);
+        let [p, q] = patch.rows;
+        (p.linear[STIFFNESS] + q.linear[STIFFNESS] > 0.0).then_some(patch)
     }
 
-    /// The place of a shift among the rows.
+    /// The place of a lateral `shift` in m among the rows.
     #[inline]
-    fn row(&self, shift: f64) -> RowPlace {
-        let place = (shift - self.begin) / STEP;
+    pub fn row(&self, shift: f64) -> RowPlace {
+        let place = (shift - self.begin) * (1.0 / STEP);
         let inside = place.max(0.0).min((self.count - 1) as f64);
         let index = (inside as usize).min(self.count.saturating_sub(2));
         RowPlace { index, part: inside - index as f64, beyond: place != inside }
     }
 }
 
-/// A shift between two rows.
-struct RowPlace {
+/// A shift between two rows of a table.
+#[derive(Clone, Copy, Debug)]
+pub struct RowPlace {
     index: usize,
     /// Part of the way to the next row.
     part: f64,
@@ -149,39 +152,78 @@ struct RowPlace {
     beyond: bool,
 }
 
-/// The contact of a patch; nothing where it has no stiffness.
-#[inline]
-fn point(rows: &[Row], place: &RowPlace, yaw_squared: f64) -> Option<ContactPoint> {
-    let (p, q) = (&rows[place.index], &rows[place.index + 1]);
-    if p.linear[STIFFNESS] + q.linear[STIFFNESS] > 0.0 {
-        Some(interpolated(rows, place, yaw_squared))
-    } else {
-        None
-    }
+/// A patch of a table at one shift and yaw; what is not asked for is not interpolated.
+#[derive(Clone, Copy, Debug)]
+pub struct PatchAt<'a> {
+    rows: [&'a Row; 2],
+    place: RowPlace,
+    /// As [`ContactPoint::drop`].
+    pub drop: f64,
+    /// As [`ContactPoint::slope`].
+    pub slope: f64,
 }
 
-#[inline]
-fn interpolated(rows: &[Row], place: &RowPlace, yaw_squared: f64) -> ContactPoint {
-    let (p, q) = (&rows[place.index], &rows[place.index + 1]);
-    let t = place.part;
-    let (drop, slope) = cubic(p.yawed(yaw_squared), q.yawed(yaw_squared), t);
-    let v: [f64; LINEAR] = std::array::from_fn(|k| p.linear[k] + t * (q.linear[k] - p.linear[k]));
-    let cos_angle = 1.0 / (1.0 + slope * slope).sqrt();
-    ContactPoint {
-        drop,
-        slope,
-        sin_angle: -slope * cos_angle,
-        cos_angle,
-        radius_change: v[0],
-        wheel_lateral: v[1],
-        rail_lateral: v[2],
-        hertz: UnitContact {
-            semi_axis_rolling: v[3],
-            semi_axis_lateral: v[4],
-            stiffness: v[STIFFNESS],
-        },
-        kalker: CreepCoefficients { c11: v[6], c22: v[7], c23: v[8], c33: v[9] },
-        beyond: place.beyond,
+impl<'a> PatchAt<'a> {
+    #[inline]
+    fn new(rows: &'a [Row], place: RowPlace, yaw_squared: f64) -> Self {
+        let rows = [&rows[place.index], &rows[place.index + 1]];
+        let [p, q] = rows.map(|row| row.yawed(yaw_squared));
+        let (drop, slope) = cubic(p, q, place.part);
+        Self { rows, place, drop, slope }
+    }
+
+    /// As [`ContactPoint::radius_change`].
+    #[inline]
+    pub fn radius_change(&self) -> f64 {
+        self.linear(0)
+    }
+
+    /// As [`ContactPoint::wheel_lateral`].
+    #[inline]
+    pub fn wheel_lateral(&self) -> f64 {
+        self.linear(1)
+    }
+
+    /// As [`ContactPoint::rail_lateral`].
+    #[inline]
+    pub fn rail_lateral(&self) -> f64 {
+        self.linear(2)
+    }
+
+    /// As [`ContactPoint::beyond`].
+    #[inline]
+    pub fn beyond(&self) -> bool {
+        self.place.beyond
+    }
+
+    /// All that is known of the contact.
+    #[inline]
+    pub fn point(&self) -> ContactPoint {
+        let v: [f64; LINEAR] = std::array::from_fn(|k| self.linear(k));
+        let cos_angle = 1.0 / (1.0 + self.slope * self.slope).sqrt();
+        ContactPoint {
+            drop: self.drop,
+            slope: self.slope,
+            sin_angle: -self.slope * cos_angle,
+            cos_angle,
+            radius_change: v[0],
+            wheel_lateral: v[1],
+            rail_lateral: v[2],
+            hertz: UnitContact {
+                semi_axis_rolling: v[3],
+                semi_axis_lateral: v[4],
+                stiffness: v[STIFFNESS],
+                stiffness_root: v[6],
+            },
+            kalker: CreepCoefficients { c11: v[7], c22: v[8], c23: v[9], c33: v[10] },
+            beyond: self.place.beyond,
+        }
+    }
+
+    #[inline]
+    fn linear(&self, k: usize) -> f64 {
+        let [p, q] = self.rows;
+        p.linear[k] + self.place.part * (q.linear[k] - p.linear[k])
     }
 }
 
@@ -218,6 +260,7 @@ fn row(pair: &ProfilePair, touch: &Touch, level: f64) -> Row {
             hertz.semi_axis_rolling,
             hertz.semi_axis_lateral,
             hertz.stiffness,
+            hertz.stiffness_root,
             kalker.c11,
             kalker.c22,
             kalker.c23,
@@ -235,6 +278,6 @@ fn cubic(p: (f64, f64), q: (f64, f64), t: f64) -> (f64, f64) {
     let c2 = 3.0 * rise - 2.0 * begin - end;
     let c3 = begin + end - 2.0 * rise;
     let drop = p.0 + t * (begin + t * (c2 + t * c3));
-    let slope = (begin + t * (2.0 * c2 + t * 3.0 * c3)) / STEP;
+    let slope = (begin + t * (2.0 * c2 + t * 3.0 * c3)) * (1.0 / STEP);
     (drop, slope)
 }

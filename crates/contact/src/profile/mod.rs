@@ -1,6 +1,7 @@
 //! Profiles of wheel and rail across the track.
 
 pub(crate) mod cone;
+mod point_file;
 pub(crate) mod points;
 mod rail_60e1;
 mod rail_as60;
@@ -55,7 +56,7 @@ impl WheelProfile {
             return Ok(Self::S1002);
         }
         if let Some(points) = points_named(name) {
-            return Ok(Self::Points(Arc::new(points?.of_wheel())));
+            return Ok(Self::Points(Arc::new(points?.of_wheel()?)));
         }
         name.strip_prefix("cone-1-")
             .and_then(|ratio| ratio.parse().ok())
@@ -126,7 +127,7 @@ impl RailProfile {
             "UIC60-manchester" => Ok(Self::Uic60Manchester),
             "round-300" => Ok(Self::Round300),
             _ => match points_named(name) {
-                Some(points) => Ok(Self::Points(Arc::new(points?))),
+                Some(points) => Ok(Self::Points(Arc::new(points?.of_rail()?))),
                 None => Err(ContactError::UnknownRailProfile { name: name.into() }),
             },
         }

@@ -1,15 +1,9 @@
-//! Profiles given by points.
-//!
-//! A file has a point on each line: lateral place and height in millimetres, parted by blanks, commas or
-//! semicolons. The lateral place is measured towards the field side, from the running circle of a wheel
-//! or from the middle of a rail; the height downwards. Lines that begin with `#`, `%` or `!` are comments.
-//! Files of CONTACT and SIMPACK (`.prw`, `.prr`) have their points between `point.begin` and `point.end`
-//! and may give the unit (`units.len.f`, lengths in the file for a metre).
+//! Profiles given by points (`point_file.rs` reads them).
 //!
 //! Between the points the profile is a cubic with the slopes of the parabolas through three points. Where
 //! the points go back or straight down, as at the flank of a rail, the profile ends.
 
-use super::ProfilePoint;
+use super::{ProfilePoint, point_file};
 use crate::ContactError;
 use std::path::Path;
 
@@ -43,35 +37,19 @@ impl PointProfile {
     /// # Errors
     /// As [`Self::from_file`].
     pub fn from_text(text: &str, name: &str) -> Result<Self, ContactError> {
-        let wrong = |reason: String| ContactError::ProfileFile { file: name.into(), reason };
-        let blocks = text.contains("point.begin");
-        let (mut inside, mut per_metre) = (!blocks, 1e3);
-        let mut points = Vec::new();
-        for (number, line) in text.lines().enumerate() {
-            let line = line.split(['!', '#', '%']).next().unwrap_or_default().trim();
-            match line {
-                "" => continue,
-                "point.begin" => inside = true,
-                "point.end" => inside = false,
-                _ if !inside => {
-                    if let Some(("units.len.f", value)) = key_and_value(line) {
-                        per_metre = value;
-                    }
-                }
-                _ => points.push(point(line).ok_or_else(|| {
-                    wrong(format!("line {}: expected two numbers, found \"{line}\"", number + 1))
-                })?),
-            }
-        }
-        let metres = points.into_iter().map(|(y, z)| (y / per_metre, z / per_metre)).collect();
-        let profile = Self::new(name.into(), metres);
+        let profile = Self::new(name.into(), point_file::read(text, name)?);
         match profile.points.len() {
-            0..5 => Err(wrong(format!(
+            0..5 => Err(profile.wrong(format!(
                 "only {} points go on from the gauge side to the field side; at least 5 are needed",
                 profile.points.len()
             ))),
             _ => Ok(profile),
         }
+    }
+
+    /// The error of a file that cannot be used.
+    fn wrong(&self, reason: impl Into<String>) -> ContactError {
+        ContactError::ProfileFile { file: self.name.clone(), reason: reason.into() }
     }
 
     /// The part of the outline on which a wheel can run: from the highest point both ways as far as the
@@ -119,10 +97,49 @@ impl PointProfile {
     }
 
     /// The profile of a wheel, whose height is 0 at the running circle.
-    pub(super) fn of_wheel(mut self) -> Self {
+    ///
+    /// # Errors
+    /// When the running circle or the flange is not where a wheel has it.
+    pub(super) fn of_wheel(mut self) -> Result<Self, ContactError> {
+        let (begin, end) = self.range();
+        if begin >= 0.0 || end <= 0.0 {
+            return Err(self.wrong(format!(
+                "the points reach from {:.1} to {:.1} mm; the running circle, at 0, must lie between",
+                1e3 * begin,
+                1e3 * end
+            )));
+        }
+        if self.place_of(|a, b| a > b) >= 0.0 {
+            return Err(self.wrong(
+                "the lowest point, the tip of the flange, must lie at a negative place: places count \
+                 towards the field side and heights downwards",
+            ));
+        }
         let level = self.at(0.0).height;
         self.points.iter_mut().for_each(|point| point.1 -= level);
-        self
+        Ok(self)
+    }
+
+    /// The profile of a rail.
+    ///
+    /// # Errors
+    /// When its highest point is an end.
+    pub(super) fn of_rail(self) -> Result<Self, ContactError> {
+        let (begin, end) = self.range();
+        let top = self.place_of(|a, b| a < b);
+        if top <= begin || top >= end {
+            return Err(self.wrong(
+                "the highest point is an end of the head: heights count downwards, and both sides of \
+                 the head are needed",
+            ));
+        }
+        Ok(self)
+    }
+
+    /// Place of the point that `beats` all others in height.
+    fn place_of(&self, beats: impl Fn(f64, f64) -> bool) -> f64 {
+        let best = self.points.iter().reduce(|a, b| if beats(b.1, a.1) { b } else { a });
+        best.map_or(0.0, |point| point.0)
     }
 
     /// The profile leaning by `inclination`, with its highest point as the origin.
@@ -166,21 +183,6 @@ fn slopes(points: &[(f64, f64)]) -> Vec<f64> {
         .collect()
 }
 
-/// Lateral place and height of a line.
-fn point(line: &str) -> Option<(f64, f64)> {
-    let parted = line.split(|c: char| c.is_whitespace() || c == ',' || c == ';');
-    let mut numbers = parted.filter(|part| !part.is_empty()).map(|part| part.parse::<f64>().ok());
-    let (y, z) = (numbers.next()??, numbers.next()??);
-    (y.is_finite() && z.is_finite()).then_some((y, z))
-}
-
-/// A line `key = value` of a header with a positive number.
-fn key_and_value(line: &str) -> Option<(&str, f64)> {
-    let (key, value) = line.split_once('=')?;
-    let value = value.trim().parse().ok().filter(|value: &f64| *value > 0.0)?;
-    Some((key.trim(), value))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -209,12 +211,28 @@ mod tests {
     }
 
     #[test]
-    fn wrong_files_are_named_with_line_and_reason() {
+    fn wrong_files_are_named_with_reason() {
         let message = |text: &str| PointProfile::from_text(text, "p.prw").unwrap_err().to_string();
-        assert!(message("0 0\n1 x\n").contains("p.prw: line 2: expected two numbers"));
-        assert!(message("0 0\n1 1\n").contains("only 2 points"));
+        assert!(message("0 0\n1 1\n").contains("p.prw: only 2 points"));
         assert!(message("0 0\n0 1\n0 2\n0 3\n0 4\n0 5\n").contains("only 1 points"));
         let missing = PointProfile::from_file(Path::new("/nowhere/p.prr")).unwrap_err();
         assert!(missing.to_string().contains("/nowhere/p.prr"));
+    }
+
+    /// Places that count to the wrong side and heights that count upwards are the usual mistakes.
+    #[test]
+    fn profiles_the_wrong_way_round_are_told() {
+        let profile = |text| PointProfile::from_text(text, "p").unwrap();
+        let wheel = "-60 25\n-40 20\n0 0\n20 -1\n40 -2\n60 -3";
+        assert_eq!(profile(wheel).of_wheel().unwrap().at(0.0).height, 0.0);
+        let mirrored = "60 25\n40 20\n0 0\n-20 -1\n-40 -2\n-60 -3";
+        let message = profile(mirrored).of_wheel().unwrap_err().to_string();
+        assert!(message.contains("tip of the flange"), "{message}");
+        let aside = "10 25\n30 20\n70 0\n90 -1\n110 -2";
+        let message = profile(aside).of_wheel().unwrap_err().to_string();
+        assert!(message.contains("from 10.0 to 110.0 mm"), "{message}");
+        let upwards = "-30 -9\n-20 -4\n0 0\n20 -4\n30 -9";
+        let message = profile(upwards).of_rail().unwrap_err().to_string();
+        assert!(message.contains("heights count downwards"), "{message}");
     }
 }

@@ -5,7 +5,8 @@
 //! | `hertz.rs` | exact Hertz table, CONTACT |
 //! | `kalker.rs` | Kalker's table, interpolated |
 //! | `profiles.rs` | EN 13715, EN 13674-1, points of the Manchester benchmark |
-//! | `manchester.rs` | Manchester contact benchmark: a rigid search, and CONTACT |
+//! | `manchester.rs` | Manchester contact benchmark, geometry: a rigid search, and CONTACT |
+//! | `manchester_forces.rs` | the same, creep forces and friction power of CONTACT |
 //! | `geometry.rs` | the geometry table's own laws |
 //! | `fastsim.rs` | FASTSIM and modified FASTSIM of CONTACT: force and friction power |
 //! | `polach.rs` | published creep curves, CONTACT |
@@ -19,12 +20,14 @@ mod geometry;
 mod hertz;
 mod kalker;
 mod manchester;
+mod manchester_forces;
 mod polach;
 mod profiles;
 mod properties;
 mod shen_hedrick_elkins;
 
-use contact::{ProfilePair, RailProfile, WheelProfile};
+use contact::kalker::CreepCoefficients;
+use contact::{ContactPatch, ProfilePair, RailProfile, STEEL, WheelProfile};
 
 /// A wheel on a rail inclined 1:40 with standard gauge and a radius of 460 mm, as in the benchmark.
 pub fn pair(wheel: &str, rail: &str) -> ProfilePair {
@@ -34,6 +37,16 @@ pub fn pair(wheel: &str, rail: &str) -> ProfilePair {
         1.0 / 40.0,
         0.460,
     )
+}
+
+/// Siemens Eurosprinter 127 001 in CONTACT's examples: 106.7 kN, a 6.304 mm, b 12.61 mm.
+pub fn eurosprinter() -> ContactPatch {
+    ContactPatch {
+        normal_force: 106_700.0,
+        a: 6.304e-3,
+        b: 12.61e-3,
+        kalker: CreepCoefficients::new(0.5, STEEL.poisson_ratio),
+    }
 }
 
 /// Fails with the case's name unless `value` is `expected` within `tolerance`.

@@ -1,19 +1,8 @@
 //! Polach's creep law against published curves.
 
-use crate::{near, pair};
-use contact::kalker::CreepCoefficients;
+use crate::{eurosprinter, near, pair};
 use contact::{ContactPatch, FallingFriction, GeometryTable, Polach, STEEL, SlipVelocity};
 use std::f64::consts::PI;
-
-/// Siemens Eurosprinter 127 001 in CONTACT's examples: 106.7 kN, a 6.304 mm, b 12.61 mm, 10 m/s.
-fn eurosprinter() -> ContactPatch {
-    ContactPatch {
-        normal_force: 106_700.0,
-        a: 6.304e-3,
-        b: 12.61e-3,
-        kalker: CreepCoefficients::new(0.5, STEEL.poisson_ratio),
-    }
-}
 
 fn polach(adhesion: f64, slip: f64, mu0: f64, limit_ratio: f64, decay: f64) -> Polach {
     Polach {
@@ -124,36 +113,6 @@ fn benchmark_polach_eurosprinter_coulomb() {
         // With longitudinal creep only, the power is force times slip.
         let power = -force.longitudinal * 10.0 * xi;
         near("friction power in W", force.friction_power, power, 1e-9 * power);
-    }
-}
-
-/// Forces and friction power that CONTACT prints for case A-2.2 (reference 2.3): lateral, longitudinal
-/// and spin creep together, mu 0.3, 2 m/s. CONTACT's creepages are rail minus wheel and its forces act
-/// on the rail, so both change sign here.
-///
-/// Tolerance: 8 % of mu N in each force and 12 % in power. Polach is within 6 % of CONTACT for pure
-/// longitudinal creep (above); his treatment of spin adds as much: found -1 to +1 % in power on the
-/// left wheels and -7 to -11 % on the right ones, whose spin is five times larger. The right wheel at 1 mm (spin 0.15
-/// per m at small creep) and the flange are left out: there the law takes off 18 to 25 % of the power.
-#[test]
-fn benchmark_polach_manchester_forces() {
-    let table = GeometryTable::shared(&pair("S1002", "UIC60-manchester")).unwrap();
-    let law = polach(1.0, 1.0, 0.3, 1.0, 0.0);
-    for [shift, xi, eta, spin, load, fx, fy, power] in [
-        [-1.02e-3, -0.0006297, 0.0024, -0.03848, 10050.0, 829.2, -2893.0, 14.45],
-        [-2.05e-3, -0.0008651, 0.004798, -0.02947, 10040.0, 546.3, -2961.0, 28.86],
-        [-3.08e-3, -0.001103, 0.007197, -0.02432, 10030.0, 460.5, -2974.0, 43.31],
-        [-4.12e-3, -0.001399, 0.009594, -0.02138, 10030.0, 436.6, -2977.0, 57.81],
-        [2.05e-3, 0.0008752, 0.004818, 0.1746, 9799.0, -517.3, -2893.0, 28.39],
-        [3.08e-3, 0.001052, 0.007235, 0.1998, 9774.0, -417.5, -2902.0, 42.48],
-        [4.12e-3, 0.001276, 0.009662, 0.2330, 9745.0, -379.6, -2898.0, 56.61],
-    ] {
-        let slip = SlipVelocity { longitudinal: -2.0 * xi, lateral: -2.0 * eta, spin: -2.0 * spin };
-        let force = law.force(&table.at(shift).patch(load), &slip, 2.0);
-        let case = |what: &str| format!("{what} at a shift of {shift} m");
-        near(&case("Fx"), -force.longitudinal, fx, 0.08 * 0.3 * load);
-        near(&case("Fy"), -force.lateral, fy, 0.08 * 0.3 * load);
-        near(&case("power"), force.friction_power, power, 0.12 * power);
     }
 }
 

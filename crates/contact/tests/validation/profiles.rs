@@ -1,7 +1,7 @@
 //! Wheel and rail profiles.
 
 use crate::{near, pair};
-use contact::{RailProfile, WheelProfile};
+use contact::{RailProfile, WheelProfile, wheelset_geometry};
 
 const MM: f64 = 1e-3;
 
@@ -100,6 +100,43 @@ fn benchmark_manchester_rail_place() {
         near("rail top in mm", pair("S1002", rail).rail_top() / MM, 760.53, 5e-3);
     }
     near("running circle in mm", pair("S1002", "60E1").running_circle() / MM, 750.0, 1e-9);
+}
+
+/// S1002 as CONTACT's examples have it: a file of points 0.35 mm apart whose header mirrors them, the
+/// flange first. The wheel touches where S1002 itself does. Tolerance 0.1 mm: between the points are cubics.
+#[test]
+fn property_points_of_s1002_touch_as_s1002() {
+    let place = |i: i32| (69.5 - 0.35 * f64::from(i)) * MM;
+    let lines: String = (0..=370)
+        .map(|i| {
+            format!(
+                "{:.7E}\t{:.7E}\n",
+                place(i) / MM,
+                WheelProfile::S1002.at(-place(i)).height / MM
+            )
+        })
+        .collect();
+    let text = format!(
+        "! a comment\nheader.begin\n  type = 1 ! 0=rail profile, 1=wheel profile\nheader.end\n\
+         spline.begin\n  mirror.y = 1 ! 5: y mirror mode\n  units.len.f = +1.000000e+03\n\
+         point.begin\n{lines}point.end\nspline.end\n"
+    );
+    let file = tempfile::Builder::new().suffix(".prw").tempfile().unwrap();
+    std::fs::write(file.path(), text).unwrap();
+    let s1002 = pair("S1002", "60E1");
+    let points = pair(file.path().to_str().unwrap(), "60E1");
+    for y in [0.5, 2.0, 4.0, 6.0, 8.0] {
+        let of = |pair| wheelset_geometry(pair, y * MM, 0.0).unwrap();
+        let (expected, found) = (of(&s1002), of(&points));
+        for (expected, found) in
+            [(&expected.left[0], &found.left[0]), (&expected.right[0], &found.right[0])]
+        {
+            let case = |what: &str| format!("{what} in mm at {y} mm");
+            let (rail, wheel) = (expected.rail_lateral / MM, expected.wheel_lateral / MM);
+            near(&case("rail"), found.rail_lateral / MM, rail, 0.1);
+            near(&case("wheel"), found.wheel_lateral / MM, wheel, 0.1);
+        }
+    }
 }
 
 #[test]

@@ -1,17 +1,7 @@
 //! Shen, Hedrick and Elkins' law against CONTACT, and Kalker's linear forces.
 
-use crate::near;
-use contact::kalker::CreepCoefficients;
-use contact::{ContactPatch, CreepLaw, FallingFriction, STEEL, SlipVelocity};
-
-fn eurosprinter() -> ContactPatch {
-    ContactPatch {
-        normal_force: 106_700.0,
-        a: 6.304e-3,
-        b: 12.61e-3,
-        kalker: CreepCoefficients::new(0.5, STEEL.poisson_ratio),
-    }
-}
+use crate::{eurosprinter, near};
+use contact::{CreepLaw, FallingFriction, STEEL, SlipVelocity};
 
 /// CONTACT with Coulomb friction 0.33 (reference 4.7, series 1): the stated band of -4.4 to -1.7 % below
 /// saturation and 0.1 % in it, widened by half of the last digit.

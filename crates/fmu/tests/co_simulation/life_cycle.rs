@@ -180,6 +180,27 @@ fn initial_outputs_follow_the_start_values() {
     assert_eq!(fmu.get("position"), 0.4);
 }
 
+/// A tool that iterates the initialisation sets all inputs in each sweep: only new values make a new
+/// model. The spring says each time that it is ready.
+#[test]
+fn the_model_is_built_again_only_for_new_start_values() {
+    let fmu = Fmu::initializing();
+    let built = |mass: f64, trouble: &str| {
+        fmu.messages();
+        assert_eq!(fmu.set("mass", mass), Status::Ok);
+        assert_eq!(fmu.set_string("trouble", trouble), Status::Ok);
+        fmu.get("position");
+        fmu.messages().iter().filter(|message| message.text.contains("ready")).count()
+    };
+    assert_eq!(built(2.0, ""), 1, "the first");
+    assert_eq!(built(2.0, ""), 0, "the same");
+    assert_eq!(built(3.0, ""), 1, "another mass");
+    assert_eq!(built(3.0, "error"), 1, "another text");
+    assert_eq!(built(3.0, "error"), 0, "the same");
+    assert_eq!(fmu.exit_initialization_mode(), Status::Ok);
+    assert!(fmu.messages().is_empty(), "it is built already");
+}
+
 #[test]
 fn start_values_that_the_model_refuses_end_in_an_error() {
     for (trouble, sentence) in [

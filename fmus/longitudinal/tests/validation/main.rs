@@ -5,9 +5,11 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `closed_forms.rs` | forces, impacts, energy and resistance of whole trains |
+//! | `closed_forms.rs` | forces, energy and standstill of whole trains |
+//! | `performance.rs` | resistance, gradients, traction, balancing speeds |
+//! | `pairs.rs` | two vehicles: impacts and oscillations |
 //! | `cross_code.rs` | a complete case of the Train Propulsion Simulator |
-//! | `gears.rs` | kinds of draft gears, mixed and over a transition speed |
+//! | `gears.rs` | kinds of draft gears, their energy, mixed and over a transition speed |
 //! | `line.rs` | curve resistance, wind, starting, length over gradients |
 //! | `brakes.rs` | air brake, locomotive brake, hand brakes, heat of the wheels |
 //! | `drivers.rs` | control of the speed, replay of a logger, remote locomotives |
@@ -21,5 +23,7 @@ mod drivers;
 mod gears;
 mod line;
 mod numerics;
+mod pairs;
+mod performance;
 mod support;
 mod traction;

@@ -116,14 +116,9 @@ fn benchmark_limit_of_a_transition_speed() {
 /// An elastic train converges with the second order of the scheme.
 #[test]
 fn property_error_falls_with_the_square_of_the_step() {
-    let vehicles = vec![without_resistance(wagon()); 4];
     let gear = gear_of("name = 'bar'\nsource = 'test'\ndrawbar.stiffness_mn_m = 100\n");
     let end = |step: f64| {
-        let mut vehicles = vehicles.clone();
-        vehicles.iter_mut().for_each(|vehicle| vehicle.coupler.slack_mm = 0.0);
-        let mut train = train(&vehicles, &gear, Track::straight());
-        let mut state = start(&mut train, 10.0, Couplers::Unstressed, Command::default());
-        state.vehicles[0].velocity += 0.02;
+        let (mut train, mut state) = wagons_without_slack(4, &gear, 0.02);
         for _ in 0..(0.5 / step).round() as usize {
             train.advance(&mut state, &Command::default(), step);
         }

@@ -151,3 +151,31 @@ pub fn vehicle_of(text: &str) -> Vehicle {
     std::fs::write(&file, format!("extends = 'locomotive-coco-134t'\n{text}")).unwrap();
     library().vehicle_from_file(&file).unwrap()
 }
+
+/// Wagons that nothing resists, coupled without slack on straight track at 10 m/s, the first faster by
+/// `ahead`, m/s.
+pub fn wagons_without_slack(
+    count: usize,
+    gear: &DraftGear,
+    ahead: f64,
+) -> (TrainDynamics, TrainState) {
+    let mut vehicles = vec![without_resistance(wagon()); count];
+    vehicles.iter_mut().for_each(|vehicle| vehicle.coupler.slack_mm = 0.0);
+    let mut train = train(&vehicles, gear, Track::straight());
+    let mut state = start(&mut train, 10.0, Couplers::Unstressed, Command::default());
+    state.vehicles[0].velocity += ahead;
+    (train, state)
+}
+
+/// The argument from 0 to `greatest` at which a rising function has a value.
+pub fn inverse(function: impl Fn(f64) -> f64, value: f64, greatest: f64) -> f64 {
+    let (mut low, mut high) = (0.0, greatest);
+    for _ in 0..80 {
+        let middle = (low + high) / 2.0;
+        match function(middle) < value {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    low
+}

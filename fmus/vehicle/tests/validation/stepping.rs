@@ -98,7 +98,7 @@ fn property_a_restored_state_goes_on_bit_by_bit() {
     let saved = postcard::to_allocvec(&vehicle.state).unwrap();
     run(&mut vehicle, 1.0, &inputs);
     let mut other = started(locomotive(), TRANSITION, 10.0, &Inputs::none(FRICTION));
-    other.state = postcard::from_bytes(&saved).unwrap();
+    other.restore(postcard::from_bytes(&saved).unwrap());
     run(&mut other, 1.0, &inputs);
     assert_eq!(vehicle.state, other.state);
     assert_eq!(vehicle.wheels, other.wheels);

@@ -1,16 +1,10 @@
-//! Structures from XML and back, and systems of mocks.
+//! Structures from XML and back.
 
 use std::path::Path;
-use std::sync::{Arc, Mutex};
 
-use super::exchange::{Link, Part, Place, Signals};
 use super::read::{STRUCTURE_FILE, read};
 use super::structure::{Parameter, Structure, Value};
-use super::system::System;
 use super::write::write;
-use crate::lockstep::Clock;
-use crate::mock::Mock;
-use crate::si::Linear;
 
 const NAMESPACES: &str = r#"xmlns:ssd="http://ssp-standard.org/SSP1/SystemStructureDescription"
     xmlns:ssc="http://ssp-standard.org/SSP1/SystemStructureCommon"
@@ -203,71 +197,4 @@ fn what_is_wrong_is_answered_with_file_and_line() {
     let message = read(folder.path()).unwrap_err().to_string();
     assert!(message.contains(STRUCTURE_FILE), "{message}");
     assert!(!Path::new(STRUCTURE_FILE).exists());
-}
-
-type Calls = Arc<Mutex<Vec<String>>>;
-
-/// A system of mocks with the variables u (0) and y (1), linked as pairs of numbers from y to u;
-/// each mock's step is y = 2 u + 1.
-fn system(count: usize, links: &[(usize, usize)], factor: f64) -> (System, Calls) {
-    let calls = Calls::default();
-    let mut system = System::empty(Clock { start: 0.0, length: 0.5 });
-    for i in 0..count {
-        let variables = [("u".to_owned(), "input"), ("y".to_owned(), "output")];
-        let unit = Mock::new(&format!("m{i}"), &variables, &calls, |values, _, _| {
-            values[1] = 2.0 * values[0] + 1.0;
-        });
-        let (inputs, outputs) = (Signals::default(), Signals::default());
-        system.parts.push(Part { unit: Box::new(unit), inputs, outputs });
-    }
-    for &(from, to) in links {
-        let from = Place { part: from, at: system.parts[from].outputs.reals.place(1, f64::NAN) };
-        let to = Place { part: to, at: system.parts[to].inputs.reals.place(0, f64::NAN) };
-        let way = Linear { factor, offset: 0.0 };
-        system.links.reals.push(Link { from, to, way });
-    }
-    (system, calls)
-}
-
-fn in_pool<T: Send>(task: impl FnOnce() -> T + Send) -> T {
-    crate::parallel::pool(1).unwrap().install(task)
-}
-
-/// A chain of three hands each value on by one step: all take the last exchange.
-#[test]
-fn analytic_every_hop_of_a_chain_takes_one_step() {
-    let (mut system, calls) = system(3, &[(0, 1), (1, 2)], 10.0);
-    let outputs: Vec<Vec<f64>> = in_pool(|| {
-        system.initialize(10.0).unwrap();
-        let step = |k| {
-            system.step(k).unwrap();
-            let last = [&system.parts[0].outputs, &system.parts[1].outputs];
-            last.iter().map(|signals| signals.reals.values[0]).collect()
-        };
-        (0..3).map(step).collect()
-    });
-    // y0 = 1 from the first step on; m1 sees it, times ten, in the second: y1 = 2·10 + 1.
-    assert_eq!(outputs, [vec![1.0, 1.0], vec![1.0, 21.0], vec![1.0, 21.0]]);
-    let calls = calls.lock().unwrap();
-    let own: Vec<_> = calls.iter().filter_map(|call| call.strip_prefix("m1 ")).collect();
-    let stepping: Vec<_> = own.iter().skip_while(|call| **call != "exit").skip(2).collect();
-    assert_eq!(stepping[..3], [&"set", &"step 0.000", &"get"], "FMI 2.0 §4.2.4");
-}
-
-/// A mock's output does not follow its input before it steps, so a circle of mocks settles.
-#[test]
-fn a_circle_without_feedthrough_settles() {
-    let (mut system, _) = system(2, &[(0, 1), (1, 0)], 1.0);
-    in_pool(|| system.initialize(10.0)).unwrap();
-}
-
-#[test]
-fn every_unit_is_told_the_end() {
-    let (mut system, calls) = system(2, &[], 1.0);
-    in_pool(|| {
-        system.initialize(10.0).unwrap();
-        system.terminate().unwrap();
-    });
-    let calls = calls.lock().unwrap();
-    assert_eq!(calls.iter().filter(|call| call.ends_with("terminate")).count(), 2);
 }

@@ -1,0 +1,91 @@
+//! The store of the temperature field, and saved states.
+
+use std::fs;
+
+use field::FieldReader;
+
+use crate::bench::Bench;
+
+#[test]
+fn property_the_field_file_holds_the_run() {
+    let mut bench = Bench::new();
+    let path = bench.folder.path().join("rail.zarr");
+    bench.set_texts(&[("field_file", path.to_str().unwrap())]);
+    bench.set("field_interval", 0.2);
+    bench.start().unwrap();
+    bench.steps(0, 50);
+    let reader = FieldReader::open(&path).unwrap();
+    let times = reader.times();
+    assert_eq!(times.len(), 3);
+    assert!((times[2] - 0.4).abs() < 1e-12);
+    assert!(reader.at_time(0.0).unwrap().rise.iter().all(|rise| *rise == 0.0));
+    let axes = reader.axes();
+    assert_eq!((axes.chainage.len(), axes.depth.len()), (1000, 34));
+    let snapshot = reader.at_time(0.4).unwrap().rise;
+    let at_probe = snapshot[300 * 34];
+    assert!(at_probe > 1.0, "30.05 m was passed after 0.12 s: {at_probe}");
+}
+
+/// What a field that can no longer be written does to the run is the user's choice.
+#[test]
+fn a_field_that_cannot_be_written_stops_the_run_or_not() {
+    for (choice, goes_on) in [("stop", false), ("go_on", true)] {
+        let mut bench = Bench::new();
+        let path = bench.folder.path().join("rail.zarr");
+        bench.set_texts(&[("field_file", path.to_str().unwrap()), ("field_failure", choice)]);
+        bench.set("field_interval", 0.02);
+        bench.start().unwrap();
+        bench.instance.set_debug_logging(true, &[]).unwrap();
+        fs::remove_dir_all(&path).unwrap();
+        fs::write(&path, "a file where the store was").unwrap();
+        let result = bench.step(0.0, 0.02, 28.0);
+        assert_eq!(result.is_ok(), goes_on, "{choice}: {result:?}");
+        if goes_on {
+            bench.step(0.02, 0.02, 28.3).unwrap();
+        }
+        let messages = bench.messages.lock().unwrap().clone();
+        let told = messages.iter().filter(|text| text.contains("goes on without")).count();
+        assert_eq!(told, usize::from(goes_on), "{messages:?}");
+    }
+}
+
+/// A folder that can never be made, as on a disk that is read-only.
+#[test]
+fn a_field_that_cannot_begin_stops_the_run_or_not() {
+    for (choice, goes_on) in [("stop", false), ("go_on", true)] {
+        let mut bench = Bench::new();
+        bench.instance.set_debug_logging(true, &[]).unwrap();
+        bench.set_texts(&[("field_file", "/proc/no/rail.zarr"), ("field_failure", choice)]);
+        let result = bench.start();
+        assert_eq!(result.is_ok(), goes_on, "{choice}: {result:?}");
+        if let Err(sentence) = result {
+            assert!(sentence.contains("/proc/no/rail.zarr"), "{sentence}");
+            continue;
+        }
+        bench.step(0.0, 0.02, 28.0).unwrap();
+        let messages = bench.messages.lock().unwrap().clone();
+        let told = messages.iter().filter(|text| text.contains("goes on without")).count();
+        assert_eq!(told, 1, "{messages:?}");
+    }
+}
+
+/// The state goes on bit for bit; the file stays as it is until the run is past its last snapshot.
+#[test]
+fn property_a_restored_run_gives_the_same_and_appends_later() {
+    let mut bench = Bench::new();
+    let path = bench.folder.path().join("rail.zarr");
+    bench.set_texts(&[("field_file", path.to_str().unwrap())]);
+    bench.set("field_interval", 0.2);
+    bench.start().unwrap();
+    bench.steps(0, 10);
+    let bytes = bench.instance.save().unwrap().to_bytes();
+    bench.steps(10, 50);
+    let wanted = bench.get("energy.stored");
+    let state = bench.instance.deserialize_state(&bytes).unwrap();
+    bench.instance.restore(&state).unwrap();
+    bench.steps(10, 50);
+    assert_eq!(bench.get("energy.stored"), wanted);
+    assert_eq!(FieldReader::open(&path).unwrap().times().len(), 3);
+    bench.steps(50, 65);
+    assert_eq!(FieldReader::open(&path).unwrap().times().len(), 4);
+}

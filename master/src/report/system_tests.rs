@@ -1,0 +1,99 @@
+//! The report of an invented system.
+
+use std::path::Path;
+
+use super::system::{ComponentFacts, SystemFacts};
+use super::write;
+use crate::recording::{Column, SeriesWriter};
+
+/// Number of records, 0.1 s apart.
+const RECORDS: u32 = 20;
+
+fn component(name: &str, wall_time_s: f64) -> ComponentFacts {
+    ComponentFacts {
+        name: name.to_owned(),
+        fmu: format!("{name}.fmu"),
+        series: Some(name.to_owned()),
+        wall_time_s,
+    }
+}
+
+fn facts() -> SystemFacts {
+    let silent = ComponentFacts { series: None, ..component("silent", 0.0) };
+    SystemFacts {
+        name: "a <tank> and a pump".to_owned(),
+        package: "tank.ssp".to_owned(),
+        simulated_s: 2.0,
+        step_s: 1e-3,
+        threads: 2,
+        wall_time_s: Some(0.5),
+        recording_s: 0.05,
+        component: vec![component("tank", 0.4), component("pump", 0.002), silent],
+    }
+}
+
+/// A table whose columns are, in turn, a force, ten speeds in km/h, and a number that never changes.
+fn write_table(folder: &Path, name: &str) {
+    let speeds = (1..=10).map(|i| Column::new(&format!("speed[{i}]"), "km/h", "Speed").double());
+    let mut columns = vec![Column::new("force", "N", "Force").double()];
+    columns.extend(speeds);
+    columns.push(Column::new("gears", "1", "Number of gears").double());
+    let count = columns.len();
+    let series = folder.join("series");
+    let mut writer = SeriesWriter::create(&series, name, vec![], columns, 100).unwrap();
+    for record in 0..RECORDS {
+        let time = f64::from(record) / 10.0;
+        let mut values = vec![1e3 * time; count];
+        values[count - 1] = 5.0;
+        writer.observe(0, &values);
+        writer.record(time).unwrap();
+    }
+    writer.finish().unwrap();
+}
+
+fn report(facts: SystemFacts) -> String {
+    #[derive(serde::Serialize)]
+    struct Manifest {
+        system: SystemFacts,
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let text = toml::to_string(&Manifest { system: facts }).unwrap();
+    std::fs::write(folder.path().join("manifest.toml"), text).unwrap();
+    write_table(folder.path(), "tank");
+    write_table(folder.path(), "pump");
+    let (file, figures) = write(folder.path()).unwrap();
+    assert!(figures.is_empty(), "a system has no main figures");
+    std::fs::read_to_string(file).unwrap()
+}
+
+#[test]
+fn the_page_of_a_system_has_facts_times_and_what_changed() {
+    let page = report(facts());
+    for wanted in [
+        "a &lt;tank&gt; and a pump",
+        "3 components from tank.ssp",
+        "2.0 s simulated in steps of",
+        "500 ms in all with 2 threads, of which recording took 50.0 ms",
+        // 0.4 s in 2000 steps.
+        "<td>tank</td><td>tank.fmu</td><td class=\"value\">400 ms</td><td class=\"value\">200 µs</td>",
+        "Value in kN",
+        "Value in km/h",
+        // Of 24 quantities, each table shows its force and as many speeds as there are colours.
+        "8 further quantities",
+        "hotfoot report",
+    ] {
+        assert!(page.contains(wanted), "'{wanted}' is missing");
+    }
+    assert_eq!(page.matches("<svg").count(), 4);
+    assert!(!page.contains("gears"), "what keeps its value has no curve");
+    for outside in ["src=", "href=", "@import", "url(http", "<script", "<link"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+}
+
+#[test]
+fn a_run_that_was_killed_says_so_and_tells_no_times() {
+    let page = report(SystemFacts { simulated_s: 0.0, wall_time_s: None, ..facts() });
+    assert!(page.contains("this run has not finished") && !page.contains("Wall time"));
+    assert_eq!(page.matches("<svg").count(), 4, "what was recorded is shown");
+}

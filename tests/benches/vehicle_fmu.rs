@@ -1,0 +1,100 @@
+//! One step of 1 ms of the locomotive in a curve, through the C interface of its FMU as a master
+//! calls it: inputs set, step, outputs read. Once with its data in the nearest caches, and once in
+//! turn with 129 others, as in a train.
+//!
+//! Needs the packed FMU: `cargo xtask fmus`.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use hotfoot::roles::{vehicle_input, vehicle_output};
+use hotfoot::{FmuInstance, Import, Interface, Unit};
+
+const STEP: f64 = 1e-3;
+const CURVE: &str = "alignment = [{ length_m = 1e6, radius_m = 800.0 }]";
+const WHEELSETS: usize = 6;
+const TRAIN: usize = 130;
+
+/// A vehicle and what a master exchanges with it.
+struct Coupled {
+    instance: FmuInstance,
+    inputs: Vec<u32>,
+    forces: Vec<f64>,
+    outputs: Vec<u32>,
+    values: Vec<f64>,
+    steps: u32,
+}
+
+impl Coupled {
+    /// The locomotive at 16.67 m/s and `position`, with 100 kN at the rims and at the rear coupler.
+    fn new(import: &Arc<Import>, track: &Path, position: f64) -> Self {
+        let interface = import.interface();
+        let reference = |name: &str| interface.variable(name).expect(name).reference;
+        let names = vehicle_input::NAMES;
+        let force = |name: &&str| match *name {
+            "traction.force" | "coupler.rear.force" => 100e3,
+            _ => 0.0,
+        };
+        let mut coupled = Self {
+            instance: FmuInstance::new(import, "vehicle").expect("an instance"),
+            inputs: names.iter().map(|name| reference(name)).collect(),
+            forces: names.iter().map(force).collect(),
+            outputs: outputs(interface),
+            values: Vec::new(),
+            steps: 0,
+        };
+        coupled.values = vec![0.0; coupled.outputs.len()];
+        let unit: &mut dyn Unit = &mut coupled.instance;
+        let starts = [reference("initial.position"), reference("initial.velocity")];
+        unit.set_text(reference("track_file"), &track.display().to_string()).expect("a track");
+        unit.set_reals(&starts, &[position, 16.67]).expect("a start");
+        unit.enter_initialization(0.0, 1e9).expect("a vehicle");
+        unit.set_reals(&coupled.inputs, &coupled.forces).expect("inputs");
+        unit.exit_initialization().expect("an equilibrium");
+        coupled
+    }
+
+    fn step(&mut self) {
+        let time = f64::from(self.steps) * STEP;
+        self.steps += 1;
+        self.instance.set_reals(&self.inputs, &self.forces).expect("inputs");
+        self.instance.step(time, STEP).expect("a step");
+        self.instance.get_reals(&self.outputs, &mut self.values).expect("outputs");
+    }
+}
+
+/// What a master reads each step.
+fn outputs(interface: &Interface) -> Vec<u32> {
+    let mut names: Vec<String> = vehicle_output::NAMES.map(str::to_owned).to_vec();
+    for wheelset in 1..=WHEELSETS {
+        names.push(format!("wheelset[{wheelset}].position"));
+        for side in hotfoot::roles::SIDES {
+            let of_wheel = |name| format!("wheelset[{wheelset}].{side}.{name}");
+            names.extend(vehicle_output::WHEEL_NAMES.map(of_wheel));
+        }
+    }
+    names.iter().map(|name| interface.variable(name).expect(name).reference).collect()
+}
+
+fn steps(criterion: &mut Criterion) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let track = folder.path().join("track.toml");
+    std::fs::write(&track, CURVE).expect("the folder is writable");
+    let import = Import::open(&hotfoot_tests::fmu("vehicle")).expect("the packed FMU");
+
+    let mut one = Coupled::new(&import, &track, 1000.0);
+    criterion.bench_function("vehicle FMU/one", |bencher| bencher.iter(|| one.step()));
+
+    let place = |i: usize| 5000.0 - 20.0 * i as f64;
+    let mut train: Vec<_> = (0..TRAIN).map(|i| Coupled::new(&import, &track, place(i))).collect();
+    let mut group = criterion.benchmark_group("vehicle FMU");
+    group.throughput(Throughput::Elements(TRAIN as u64));
+    group.bench_function("130 in turn", |bencher| {
+        bencher.iter(|| train.iter_mut().for_each(Coupled::step));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, steps);
+criterion_main!(benches);
