@@ -64,5 +64,5 @@ fn analytic_measured_irregularities_reach_the_vehicle() {
     let output = scenario.run(&[]);
     assert!(!output.status.success());
     let text = String::from_utf8_lossy(&output.stderr);
-    assert!(text.contains(&*file.display().to_string()) && text.contains("ten"), "{text}");
+    assert!(text.contains(&*file.display().to_string()) && text.contains("line 2"), "{text}");
 }

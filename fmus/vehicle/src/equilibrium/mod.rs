@@ -39,6 +39,10 @@ const ROUNDS: usize = 4;
 /// no nearer than a few 1e-6.
 const REACHED: f64 = 1e-5;
 
+/// Largest acceleration left over with which a search has all but succeeded: settling would only lead
+/// away from there.
+const NEAR: f64 = 1e-3;
+
 /// How well the equilibrium is met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equilibrium {
@@ -79,7 +83,7 @@ impl Dynamics {
             if self.rest_rails(inputs) {
                 residual = Search::new(self, speed, inputs).solve();
             }
-            if residual <= REACHED {
+            if residual <= NEAR {
                 return residual;
             }
             self.state = settled;

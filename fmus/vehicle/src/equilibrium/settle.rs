@@ -30,8 +30,10 @@ const ENTERING_STEPS: u32 = 400;
 const STEP_SHARE: f64 = 0.5;
 
 impl Dynamics {
-    /// Comes from straight track into what lies under the vehicle, and settles there.
+    /// Comes from straight track into what lies under the vehicle, and settles there. It coasts:
+    /// driven near the limit of adhesion at this speed, wheels would spin before a lower one is tried.
     pub(super) fn enter_track(&mut self, speed: f64, inputs: &Inputs) {
+        let inputs = &Inputs { traction: 0.0, brake: 0.0, ..*inputs };
         let track: Vec<TrackPoint> = self.frames.iter().map(|frame| frame.track).collect();
         self.flatten(&track, 0.0);
         self.set_speed(speed);
