@@ -50,7 +50,10 @@ pub enum RunError {
     #[error("initialisation: {0}")]
     Start(UnitError),
     /// A unit failed while running; what was recorded before is kept.
-    #[error("at {time} s: {source}; the results until then are in {results}")]
+    #[error(
+        "at {time} s: {source}; the results until then are in {results}, and `hotfoot report {results}` \
+         makes their report"
+    )]
     Step {
         /// Time at which the step began, s.
         time: f64,
@@ -126,7 +129,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
             times: lockstep.times,
             vehicles: lockstep.vehicles.len(),
             threads,
-            warnings: warnings(&mut lockstep),
+            warnings: manifest.run.warnings,
         })
     })
 }
@@ -171,6 +174,7 @@ fn run_prepared(
     manifest.run.energy = recorder.energy();
     recorder.finish()?;
     let end = lockstep.terminate();
+    manifest.run.warnings = warnings(lockstep);
     let reached = outcome.as_ref().map_or_else(|failed| failed.time, |()| rails_end);
     let simulated = reached.min(lockstep.clock.at(steps));
     manifest.finish(simulated, wall, &lockstep.times);

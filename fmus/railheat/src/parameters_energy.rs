@@ -2,6 +2,7 @@
 
 use fmu::{Boolean, Declaration, ModelError, Real, Text, Values, unit};
 
+use crate::bounds::{not_negative, positive, share, whole, wrong};
 use crate::energy::bending::Beam;
 use crate::energy::ephemeris::Ephemeris;
 use crate::energy::initial::Day;
@@ -10,7 +11,7 @@ use crate::energy::shadow::Body;
 use crate::energy::weather::Exchange;
 use crate::energy::wheels::WheelHeat;
 use crate::energy::zones::Azimuth;
-use crate::parameters::{ParameterSignals, not_negative, positive, share, whole, wrong};
+use crate::parameters::ParameterSignals;
 use crate::section::RailFile;
 
 /// Most elements along the track.

@@ -52,9 +52,6 @@ pub enum ReportError {
     /// A series cannot be read.
     #[error(transparent)]
     Series(#[from] RecordingError),
-    /// The rail's field cannot be read.
-    #[error(transparent)]
-    Field(#[from] field::FieldError),
     /// A file cannot be read or written.
     #[error("{file}: {source}")]
     File {

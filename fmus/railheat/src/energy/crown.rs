@@ -20,7 +20,7 @@ const RUNNING_DEPTH: f64 = 0.016;
 pub struct Crown {
     /// Ends of the strips, m; one more than strips.
     ends: Vec<f64>,
-    /// Strip after strip the modes of its cell.
+    /// Strip after strip the even modes of its cell.
     shapes: Vec<f64>,
     width: usize,
 }
@@ -31,7 +31,7 @@ impl Crown {
         let upwards = |facet: &&Facet| facet.normal.z < 0.0 && facet.middle().z < RUNNING_DEPTH;
         let mut facets: Vec<&Facet> = cells.facets.iter().filter(upwards).collect();
         facets.sort_by(|a, b| a.middle().y.total_cmp(&b.middle().y));
-        let mut crown = Self { ends: vec![], shapes: vec![], width: modes.width() };
+        let mut crown = Self { ends: vec![], shapes: vec![], width: modes.even_width() };
         let mut last = usize::MAX;
         for facet in facets {
             let [a, b] = facet.ends.map(|end| end.y);
@@ -41,7 +41,7 @@ impl Crown {
                 if crown.ends.is_empty() {
                     crown.ends.push(a.min(b));
                 }
-                crown.shapes.extend_from_slice(modes.at(facet.cell));
+                crown.shapes.extend_from_slice(&modes.at(facet.cell)[..crown.width]);
                 last = facet.cell;
             }
             crown.ends.push(a.max(b));

@@ -1,7 +1,10 @@
 //! What each element of the rail has more than untouched rail.
 //!
 //! Elements that no wheel has touched have nothing more and cost nothing. The others have the
-//! amplitudes of the section's modes. Heat that comes in between two steps is gathered and spread
+//! amplitudes of the section's even modes: what is read of them, on the middle line and in sums, has nothing of
+//! the odd ones (`section/modes.rs`). Of these again only the slower ones are computed, those that have not
+//! decayed since heat last came in: a minute after the last wheel some thirty. Arrays over all modes are read as far
+//! as these go. Heat that comes in between two steps is gathered and spread
 //! evenly over the step (second order in its length, and exact in its sum).
 
 use serde::{Deserialize, Serialize};
@@ -92,6 +95,9 @@ pub struct Elements {
     width: usize,
     /// Element after element.
     amplitudes: Vec<f64>,
+    /// How many of the amplitudes of each element, in groups of [`LANES`], have not decayed; the others
+    /// are zero.
+    alive: Vec<u16>,
     touched: Vec<bool>,
     deposits: Vec<Deposit>,
     /// Heat by source, J/m, beyond what untouched rail got.
@@ -99,11 +105,12 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// So many elements with so many amplitudes.
+    /// So many elements with so many amplitudes each.
     pub fn new(elements: usize, width: usize) -> Self {
         Self {
             width,
             amplitudes: vec![0.0; elements * width],
+            alive: vec![0; elements],
             touched: vec![false; elements],
             deposits: vec![Deposit::default(); elements],
             sources: vec![Sources::default(); elements],
@@ -168,11 +175,12 @@ impl Elements {
     /// Changes a group of an element's amplitudes.
     pub(super) fn change_row(&mut self, element: usize, group: usize, by: &[f64; LANES]) {
         add(&mut self.amplitudes[element * self.width + group * LANES..][..LANES], 1.0, by);
+        self.alive[element] = self.alive[element].max(group as u16 + 1);
     }
 
-    /// The amplitudes of an element.
+    /// The amplitudes of an element that have not decayed.
     pub fn amplitudes(&self, element: usize) -> &[f64] {
-        &self.amplitudes[element * self.width..][..self.width]
+        &self.amplitudes[element * self.width..][..usize::from(self.alive[element]) * LANES]
     }
 
     /// Heat by source of an element beyond untouched rail, J/m.
@@ -189,14 +197,21 @@ impl Elements {
     /// One step of an element; `source` is scratch.
     pub(crate) fn step(&mut self, element: usize, section: &Section<'_>, source: &mut [f64]) {
         let Section { modes, propagator, .. } = section;
-        let amplitudes = &mut self.amplitudes[element * self.width..][..self.width];
+        let all = &mut self.amplitudes[element * self.width..][..self.width];
+        let alive = &mut self.alive[element];
+        let amplitudes = &mut all[..usize::from(*alive) * LANES];
         let deposit = std::mem::take(&mut self.deposits[element]);
         let mut lost = dot(&propagator.lost, amplitudes);
         let (heat, weather) = fill(source, &deposit, section, amplitudes);
         propagator.decay(amplitudes);
         if heat.is_some() {
             lost += dot(&propagator.lost_at_once, source);
-            propagator.add(amplitudes, source);
+            propagator.add(all, source);
+            *alive = (self.width / LANES) as u16;
+        } else {
+            let (groups, _) = amplitudes.as_chunks::<LANES>();
+            let decayed = groups.iter().rev().take_while(|group| **group == [0.0; LANES]);
+            *alive -= decayed.count() as u16;
         }
         // What modes that are left out would hold, the surroundings have at once.
         let dropped = heat.map_or(0.0, |heat| heat - dot(&modes.content, source));

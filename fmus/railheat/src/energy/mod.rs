@@ -3,7 +3,8 @@
 //! | file | part |
 //! |---|---|
 //! | `model.rs` | what happens in which order |
-//! | `build.rs` | the model at its start, and what can be read of it |
+//! | `build.rs` | the model at its start |
+//! | `view.rs` | what can be read of it |
 //! | `parameters.rs` | all constants |
 //! | `wheels.rs` | heat of friction, and the temperature of each wheel |
 //! | `chill.rs` | conduction between wheel and rail |
@@ -45,6 +46,7 @@ pub mod shadow;
 pub mod sun;
 mod surroundings;
 pub mod untouched;
+mod view;
 pub mod weather;
 pub mod wheels;
 pub mod zones;

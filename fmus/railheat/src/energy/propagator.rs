@@ -9,9 +9,8 @@
 
 use crate::section::Modes;
 
-/// Amplitudes below this are nothing, J/m: kept from becoming so small that computing with them
-/// is slow.
-const NOTHING: f64 = 1e-60;
+/// Amplitudes below this are nothing: less than 1e-20 K in any cell. A mode that has decayed so far costs nothing.
+const NOTHING: f64 = 1e-20;
 
 /// The factors for a step.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,6 @@ use railheat::creep_force::Contact;
 use railheat::energy::bending::Beam;
 use railheat::energy::model::Energy;
 use railheat::energy::parameters::{Line, Parameters, Resolution, Start, TrainWeather};
-use railheat::energy::sun::Sun;
 use railheat::energy::weather::{Exchange, Weather};
 use railheat::energy::wheels::WheelHeat;
 use railheat::section::{Outline, RailFile};
@@ -13,13 +12,7 @@ use railheat::wheels::Wheel;
 use crate::common::SPEED;
 
 /// Air of 300 K, no wind, no sun.
-pub const NIGHT: Weather = Weather {
-    ambient: 300.0,
-    wind: 0.0,
-    direct: 0.0,
-    diffuse: 0.0,
-    sun: Sun { elevation: 0.0, azimuth: 0.0 },
-};
+pub const NIGHT: Weather = Weather::still(300.0);
 
 /// Exchanges nothing.
 pub const INSULATED: Exchange = Exchange {
@@ -89,6 +82,11 @@ pub fn wheel(position: f64) -> Wheel {
         friction_power: 100.0 * SPEED,
         ..Wheel::default()
     }
+}
+
+/// The model from the time zero on.
+pub fn energy(parameters: Parameters, wheelsets: &[usize], weather: &Weather) -> Energy {
+    Energy::new(parameters, wheelsets, weather, 0.0).unwrap()
 }
 
 /// Runs one vehicle whose wheels are `at` the end of each step.
