@@ -6,6 +6,7 @@ use super::along::Along;
 use super::answer::Answer;
 use super::crown::Crown;
 use super::elements::{Elements, Extra};
+use super::followers::{self, Followers};
 use super::initial::{Initial, NeverSettles};
 use super::ledger::Ledger;
 use super::light::Light;
@@ -58,32 +59,46 @@ impl Energy {
             _ => surface.balance(exchange, &weather, &light.absorbed),
         };
         let linear = surface.conductances(exchange, weather.wind, base);
-        let modes = Modes::new(&cells, material, &linear, parameters.shortest, *cell_size)?;
+        let modes = Modes::new(&cells, material, &linear, *cell_size)?;
         let mean = modes.weighted(surface.shares());
         let mut untouched = Untouched::new(surface, *exchange, linear, &modes);
         let readings = Readings::new(&cells, &modes, &parameters.depths);
+        let crown = Crown::new(&cells, &modes);
+        let bending = bending_shape(&cells, &modes, &parameters);
+        let propagator = Propagator::new(&modes, parameters.interval);
+        let kept = kept(&modes, &parameters);
+        let mut followers = Followers::new(&modes, kept, &readings, &crown, [&bending, &mean]);
+        followers.set_time(&propagator);
         let mut of_sector = |sector| {
             let start =
                 Beginning { parameters: &parameters, modes: &modes, weather: &weather, base };
-            let levels = readings.levels.len();
-            start.zone(sector, &mut untouched, Extra::none(mean.clone()), levels)
+            let extra = Extra::none(mean.clone(), followers.count());
+            start.zone(sector, &mut untouched, extra, readings.levels.len())
         };
         let zones = sectors.into_iter().map(&mut of_sector).collect::<Result<Vec<_>, _>>()?;
         let wheels = wheelsets.iter().sum();
-        let counts = Counts { modes: &modes, wheels, zones: zones.len() };
-        let initial = State::new(&parameters, &readings, &counts, &weather, start_time);
+        let counts = Counts {
+            untouched: modes.width(),
+            kept,
+            readings: followers.count(),
+            levels: readings.levels.len(),
+            wheels,
+            zones: zones.len(),
+        };
+        let initial = State::new(&parameters, &counts, &weather, start_time);
         let mut model = Self {
             zones,
             zone_of,
             along: parameters.conducts_along.then(|| Along::new(line.elements)),
-            crown: Crown::new(&cells, &modes),
-            bending: bending_shape(&cells, &modes, &parameters),
+            crown,
+            bending,
+            followers,
             hysteresis: parameters.beam.hysteresis(1.0),
-            propagator: Propagator::new(&modes, parameters.interval),
+            propagator,
             surface: vec![0.0; line.elements],
             foot: Highest { rise: 0.0, chainage: line.chainage(0) },
             places: vec![None; wheels],
-            source: vec![0.0; modes.even_width()],
+            source: vec![0.0; kept],
             vehicles: vehicles(wheelsets),
             state: initial,
             untouched,
@@ -143,36 +158,41 @@ impl Beginning<'_> {
 }
 
 /// How many there are of what a state has.
-struct Counts<'m> {
-    modes: &'m Modes,
+struct Counts {
+    /// Amplitudes of untouched rail.
+    untouched: usize,
+    /// Amplitudes of an element.
+    kept: usize,
+    readings: usize,
+    levels: usize,
     wheels: usize,
     zones: usize,
 }
 
 impl State {
-    fn new(
-        parameters: &Parameters,
-        readings: &Readings,
-        counts: &Counts<'_>,
-        weather: &Weather,
-        start_time: f64,
-    ) -> Self {
-        let Counts { modes, wheels, zones } = *counts;
+    fn new(parameters: &Parameters, counts: &Counts, weather: &Weather, start_time: f64) -> Self {
+        let Counts { untouched, kept, readings, levels, wheels, zones } = *counts;
         let nowhere = Highest { rise: 0.0, chainage: parameters.line.chainage(0) };
-        let untouched = untouched::State { amplitudes: vec![0.0; modes.width()], weather: 0.0 };
+        let untouched = untouched::State { amplitudes: vec![0.0; untouched], weather: 0.0 };
         Self {
-            elements: Elements::new(parameters.line.elements, modes.even_width()),
+            elements: Elements::new(parameters.line.elements, kept, readings),
             untouched: vec![untouched; zones],
             conducted: start_time,
             positions: vec![None; wheels],
             wheels: vec![weather.ambient + parameters.wheel.initial_rise; wheels],
             ledger: Ledger::default(),
-            highest: vec![nowhere; readings.levels.len()],
+            highest: vec![nowhere; levels],
             highest_flash: 0.0,
             answer: Answer::default(),
             stray_told: false,
         }
     }
+}
+
+/// Number of amplitudes that are kept for an element: of modes that do not follow.
+fn kept(modes: &Modes, parameters: &Parameters) -> usize {
+    let shortest = parameters.shortest.min(parameters.interval / followers::DECAYS);
+    if shortest > 0.0 { modes.width_below(1.0 / shortest) } else { modes.even_width() }
 }
 
 /// Amplitudes by 1 J/m of hysteresis heat: with the square of the distance from the neutral axis.

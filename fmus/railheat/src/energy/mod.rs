@@ -20,6 +20,7 @@
 //! | `readings.rs` | where in the section the rise is read |
 //! | `propagator.rs` | one exact step of the modes |
 //! | `elements.rs` | what each element has more than untouched rail |
+//! | `followers.rs` | modes so fast that they follow the heat |
 //! | `along.rs` | conduction along the track |
 //! | `answer.rs` | highest foot rise, first detection, camera on the train |
 //! | `surroundings.rs` | shade and wind of the train, and weather that has changed |
@@ -34,6 +35,7 @@ pub mod chill;
 pub mod crown;
 pub mod elements;
 pub mod ephemeris;
+pub mod followers;
 pub mod initial;
 pub mod ledger;
 mod light;

@@ -39,10 +39,10 @@ impl Propagator {
         propagator
     }
 
-    /// Makes the factors those of another step, if it is another.
-    pub fn set_time(&mut self, modes: &Modes, time: f64) {
+    /// Makes the factors those of another step, if it is another; tells whether it is.
+    pub fn set_time(&mut self, modes: &Modes, time: f64) -> bool {
         if time == self.time {
-            return;
+            return false;
         }
         self.time = time;
         for k in 0..modes.width() {
@@ -59,11 +59,17 @@ impl Propagator {
             self.lost[k] = modes.loss[k] * gain * time;
             self.lost_at_once[k] = modes.loss[k] * rest * time;
         }
+        true
     }
 
     /// The time of the step, s.
     pub fn time(&self) -> f64 {
         self.time
+    }
+
+    /// What is left of heat at the end of the step over which it comes in evenly.
+    pub(super) fn gain(&self) -> &[f64] {
+        &self.gain
     }
 
     /// Lets amplitudes decay.

@@ -21,6 +21,11 @@ impl Energy {
         &self.modes
     }
 
+    /// Number of amplitudes that are kept for each element; modes beyond follow the heat.
+    pub fn kept(&self) -> usize {
+        self.state.elements.width()
+    }
+
     /// Number of levels at which the rise is read: surface, the parameters' depths, foot.
     pub fn levels(&self) -> usize {
         self.readings.levels.len()
@@ -33,7 +38,7 @@ impl Energy {
 
     /// The rise of an element over untouched rail at a level, K.
     pub fn excess(&self, element: usize, level: usize) -> f64 {
-        dot(&self.readings.levels[level], self.state.elements.amplitudes(element))
+        self.readings.read(&self.state.elements, element, level)
     }
 
     /// The rise at the surface where no wheel has been, at the beginning of the track, K.
@@ -108,13 +113,21 @@ impl Energy {
 
     /// Writes the rises on the middle line into `values`, the depths of the first element first.
     pub fn snapshot(&self, values: &mut [f32]) {
-        let rows = &self.readings.rows;
-        for (element, column) in values.chunks_exact_mut(rows.len()).enumerate() {
-            let amplitudes = self.state.elements.amplitudes(element);
-            let touched = self.state.elements.is_touched(element);
-            for (value, row) in column.iter_mut().zip(rows) {
-                let excess = if touched { dot(row, amplitudes) } else { 0.0 };
-                *value = (dot(row, &self.untouched_state(element).amplitudes) + excess) as f32;
+        let Self { readings, state, .. } = self;
+        let levels = readings.levels.len();
+        let of_zone = |zone: &untouched::State| -> Vec<f64> {
+            readings.rows.iter().map(|row| dot(row, &zone.amplitudes)).collect()
+        };
+        let untouched: Vec<Vec<f64>> = state.untouched.iter().map(of_zone).collect();
+        let columns = values.chunks_exact_mut(readings.rows.len());
+        for ((element, column), zone) in columns.enumerate().zip(&self.zone_of) {
+            let untouched = &untouched[usize::from(*zone)];
+            if !state.elements.is_touched(element) {
+                column.iter_mut().zip(untouched).for_each(|(value, rise)| *value = *rise as f32);
+                continue;
+            }
+            for (row, (value, rise)) in column.iter_mut().zip(untouched).enumerate() {
+                *value = (rise + readings.read(&state.elements, element, levels + row)) as f32;
             }
         }
     }
@@ -134,7 +147,7 @@ impl Energy {
     pub fn restore(&mut self, state: State) {
         self.state = state;
         for (element, surface) in self.surface.iter_mut().enumerate() {
-            *surface = dot(self.readings.surface(), self.state.elements.amplitudes(element));
+            *surface = self.readings.read(&self.state.elements, element, 0);
         }
         self.read_untouched();
     }

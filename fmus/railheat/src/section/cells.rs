@@ -4,7 +4,9 @@
 //! A cell keeps the area of its steel; two neighbours are joined by what of their common side is
 //! steel over the distance of the rectangles' middles; the pieces of the outline in a cell are its
 //! surface. A column (one cell a row, as wide as the rail) is the same with one rectangle a row:
-//! area by depth. Cells with little steel are merged into the neighbour that they share most with.
+//! area by depth. Slivers are merged into the neighbour that they share most with. That shifts their steel by up to a
+//! cell, so that only the least are: merging what has up to a tenth of a cell made the foot's rise jump by 0.2 mK
+//! in 180 from one size of cells to the next.
 //! The right half is the left one mirrored, to the last bit, as the outline is: the modes rely on it.
 //! Validated by `analytic_cut_cells_…` and `benchmark_section_…`.
 
@@ -12,7 +14,7 @@ use super::clip::{Rectangle, clip};
 use super::outline::{Outline, Point, sides};
 
 /// Cells with less than this share of steel are merged.
-const SMALLEST_SHARE: f64 = 0.1;
+const SMALLEST_SHARE: f64 = 0.001;
 
 /// Less steel than this share is rounding of places on the grid.
 const LEAST_SHARE: f64 = 1e-9;

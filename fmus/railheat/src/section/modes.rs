@@ -19,11 +19,6 @@
 //! A rail's section is symmetric. So each mode is equal (even) or opposite (odd) on both sides of its middle, and
 //! the two kinds are found by themselves, in half as many unknowns. Odd modes hold no heat, lose none and are zero on the
 //! middle line: whoever reads nothing but these needs the even ones only, which come first.
-//!
-//! Modes that decay within
-//! `shortest` are left out, if wanted: their heat, next to nothing, counts as given to the air at
-//! once, but the temperatures ripple all over the section for some ten times as long after heat
-//! comes in, because what cancelled at the foot is missing.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -51,7 +46,10 @@ pub struct NoModes {
 }
 
 /// Most cells of a section: its modes take some ten seconds.
-const MOST_CELLS: usize = 4400;
+const MOST_CELLS: usize = 2400;
+
+/// A mode holds most of the heat of a uniform section if it holds more than this share.
+const MOST_OF_THE_HEAT: f64 = 0.5;
 
 /// The modes of a section.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +70,7 @@ pub struct Modes {
 
 impl Modes {
     /// The modes of cells of a material, with the conductance to the surroundings of each facet in
-    /// W/(m²·K). Those with a time constant below `shortest` in s are left out.
+    /// W/(m²·K).
     ///
     /// # Errors
     /// When there are fewer than two cells, or too many.
@@ -80,7 +78,6 @@ impl Modes {
         cells: &Cells,
         material: &Material,
         surface: &[f64],
-        shortest: f64,
         size: f64,
     ) -> Result<Self, NoModes> {
         let n = cells.cells.len();
@@ -88,10 +85,9 @@ impl Modes {
             return Err(NoModes { cells: n, most: MOST_CELLS, size });
         }
         let section = Conductances::new(cells, material, surface);
-        let kept = |mode: &Mode| mode.rate * shortest < 1.0;
-        let mut found: Vec<Mode> = section.modes(EVEN).into_iter().filter(kept).collect();
+        let mut found = section.modes(EVEN);
         let even = found.len();
-        found.extend(section.modes(ODD).into_iter().filter(kept));
+        found.extend(section.modes(ODD));
         let count = found.len();
         let width = count.next_multiple_of(LANES);
         let mut modes = Self {
@@ -109,6 +105,11 @@ impl Modes {
                 modes.content[k] += section.root[cell] * section.root[cell] * shape;
                 modes.loss[k] += section.to_air[cell] * shape;
             }
+            // Eigenvalues are rounded to the fastest of them. The rate of the mode that holds most of the heat is what it
+            // loses over what it holds, so that the audit closes.
+            if modes.content[k].powi(2) > MOST_OF_THE_HEAT * section.capacity() {
+                modes.rates[k] = modes.loss[k] / modes.content[k];
+            }
         }
         Ok(modes)
     }
@@ -122,6 +123,13 @@ impl Modes {
     /// some odd ones as padding.
     pub fn even_width(&self) -> usize {
         self.even.next_multiple_of(LANES)
+    }
+
+    /// Number of amplitudes that hold all even modes slower than `fastest` in 1/s, with the next ones as
+    /// padding.
+    pub fn width_below(&self, fastest: f64) -> usize {
+        let slower = self.rates[..self.even].partition_point(|rate| *rate < fastest);
+        slower.max(1).next_multiple_of(LANES)
     }
 
     /// Number of cells.
@@ -183,6 +191,11 @@ impl<'c> Conductances<'c> {
             to_air,
             cells,
         }
+    }
+
+    /// Heat capacity of the section, J/(m·K).
+    fn capacity(&self) -> f64 {
+        self.root.iter().map(|root| root * root).sum()
     }
 
     /// The even or odd modes, slowest first.

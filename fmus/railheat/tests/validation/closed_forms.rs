@@ -201,7 +201,7 @@ fn analytic_pulse_train() {
     for time in [15.0, 60.0, 156.0, 600.0] {
         model.step(&vec![Wheel::default(); 36], &NIGHT, now, time - now);
         now = time;
-        for (level, depth) in [0.0005, 0.060, 0.1715].into_iter().enumerate() {
+        for (level, depth) in [0.0005, 0.060, 0.172].into_iter().enumerate() {
             let pulses = (0..36).map(|index| impulse(depth, time - passes(index)));
             let wanted = mixture * pulses.sum::<f64>();
             let found = model.excess(5, level);

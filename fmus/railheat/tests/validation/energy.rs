@@ -2,23 +2,13 @@
 
 use railheat::energy::model::Energy;
 use railheat::energy::parameters::{Line, Parameters, Resolution, Start};
-use railheat::energy::sun::Sun;
 use railheat::energy::weather::{Exchange, Weather};
 use railheat::energy::wheels::WheelHeat;
 use railheat::wheels::Wheel;
 
 use crate::common::SPEED;
 use crate::energy_common::{
-    INSULATED, NIGHT, all_effects, energy, outline, parameters, run, wheel,
-};
-
-/// Weather that changes everything at once: sun from the side, wind, warm air.
-const DAY: Weather = Weather {
-    ambient: 295.0,
-    wind: 2.0,
-    direct: 900.0,
-    diffuse: 120.0,
-    sun: Sun { elevation: 0.8, azimuth: 1.0 },
+    DAY, INSULATED, NIGHT, all_effects, energy, outline, parameters, run, wheel,
 };
 
 /// A wheel's share of the friction heat per metre is ε P/v = 50 J/m, whatever the step, the length of

@@ -4,6 +4,7 @@ use railheat::creep_force::Contact;
 use railheat::energy::bending::Beam;
 use railheat::energy::model::Energy;
 use railheat::energy::parameters::{Line, Parameters, Resolution, Start, TrainWeather};
+use railheat::energy::sun::Sun;
 use railheat::energy::weather::{Exchange, Weather};
 use railheat::energy::wheels::WheelHeat;
 use railheat::section::{Outline, RailFile};
@@ -13,6 +14,15 @@ use crate::common::SPEED;
 
 /// Air of 300 K, no wind, no sun.
 pub const NIGHT: Weather = Weather::still(300.0);
+
+/// Weather that changes everything at once: sun from the side, wind, warm air.
+pub const DAY: Weather = Weather {
+    ambient: 295.0,
+    wind: 2.0,
+    direct: 900.0,
+    diffuse: 120.0,
+    sun: Sun { elevation: 0.8, azimuth: 1.0 },
+};
 
 /// Exchanges nothing.
 pub const INSULATED: Exchange = Exchange {

@@ -4,33 +4,53 @@ use railheat::energy::parameters::{Line, Parameters, Resolution};
 use railheat::energy::weather::Exchange;
 use railheat::wheels::Wheel;
 
-use crate::common::SPEED;
-use crate::energy_common::{INSULATED, NIGHT, energy, outline, parameters, run, slab, wheel};
+use crate::energy_common::{
+    DAY, INSULATED, NIGHT, all_effects, energy, outline, parameters, run, slab, wheel,
+};
 
-/// Leaving out the modes that decay within half a second drops less than 1e-5 of the heat, and 5 s
-/// later changes the foot's rise by less than 0.1 mK a kelvin of mixture rise.
+/// A place on AS60 that gets the heat of a train on R = 800 m, 9.75 kJ/m in 156 s, with h = 15.
+fn of_the_train(cell_size: f64) -> (Parameters, Vec<Wheel>) {
+    let base = parameters(outline("AS60"), Resolution::Plane, cell_size);
+    let exchange = Exchange { convection: 15.0, ..INSULATED };
+    let line = Line { begin: 0.0, element_length: 0.1, elements: 2 };
+    // Half of 12.5 W for 156 s in 0.1 m.
+    let standing = vec![Wheel { speed: 0.0, friction_power: 12.5, ..wheel(0.05) }];
+    (Parameters { exchange, line, ..base }, standing)
+}
+
+/// Modes that decay within a fifth of the interval follow the heat that comes in. The foot under a train and after it is the
+/// same to 1e-3 mK when all modes are kept (0.1 mK is wanted), and the surface to 1e-3 of its rise: e^-5 of what they
+/// have there, a tenth; also with shade and wind of the train, warm wheels and bending by day.
 #[test]
 fn property_fast_modes_do_not_matter_at_the_foot() {
-    let model_of = |shortest: f64| {
-        let exchange = Exchange { convection: 15.0, ..INSULATED };
-        let base = parameters(outline("60E1"), Resolution::Plane, 0.004);
-        let mut model = energy(Parameters { exchange, shortest, ..base }, &[1], &NIGHT);
-        run(&mut model, &NIGHT, |t| vec![wheel(5.0 + SPEED * t)], 0.0, 4, 0.1);
-        model
+    let cell_size = Parameters::CELL_SIZE;
+    let (of_train, standing) = of_the_train(cell_size);
+    let by_day = Parameters {
+        cell_size,
+        line: of_train.line,
+        ..all_effects(outline("60E1"), Resolution::Plane)
     };
-    let (mut all, mut few) = (model_of(0.0), model_of(0.5));
-    assert!(few.modes().count < all.modes().count);
-    let element = 80;
-    println!("{} of {} modes", few.modes().count, all.modes().count);
-    for (from, steps) in [(0.4, 5), (5.4, 195), (200.4, 400)] {
-        for model in [&mut all, &mut few] {
-            run(model, &NIGHT, |_| vec![Wheel::default()], from, steps, 1.0);
+    for (parameters, weather) in [(of_train, &NIGHT), (by_day, &DAY)] {
+        let model_of =
+            |shortest: f64| energy(Parameters { shortest, ..parameters.clone() }, &[1], weather);
+        let (mut all, mut few) = (model_of(0.0), model_of(parameters.shortest));
+        assert!(3 * few.kept() < all.kept(), "{} of {} modes", few.kept(), all.kept());
+        let (mut of_foot, mut of_surface) = (0.0_f64, 0.0_f64);
+        for second in 0..300 {
+            let wheels = if second < 156 { &standing[..] } else { &[Wheel::default()] };
+            for model in [&mut all, &mut few] {
+                model.step(wheels, weather, f64::from(second), 1.0);
+            }
+            let difference = |level: usize| (all.excess(0, level) - few.excess(0, level)).abs();
+            of_foot = of_foot.max(1e3 * difference(2));
+            of_surface = of_surface.max(difference(0) / all.excess(0, 0).abs());
         }
-        let mixture = 50.0 / (7850.0 * 450.0 * 7.748e-3);
-        let difference = (all.excess(element, 2) - few.excess(element, 2)) / mixture;
-        let heat = few.heat_per_metre(element) / all.heat_per_metre(element) - 1.0;
-        println!("{} s: foot {difference:.1e} K per K, heat {heat:.1e}", from + f64::from(steps));
-        assert!(difference.abs() < 1e-4 && heat.abs() < 1e-5);
+        println!(
+            "{} of {} modes: foot {of_foot:.1e} mK, surface {of_surface:.1e} of its rise",
+            few.kept(),
+            all.kept()
+        );
+        assert!(of_foot < 1e-3 && of_surface < 1e-3);
     }
 }
 
@@ -51,31 +71,35 @@ fn property_round_off_at_the_foot() {
     assert!(worst < 1e-9);
 }
 
-/// Discretisation error at the foot for the heat of a train on R = 800 m, 9.75 kJ/m in 156 s, with h = 15: cells
-/// of 8, 5 (the default), 4 and 3 mm against 2.5 mm. The foot has up to 181 mK. What is allowed is what the docs state:
-/// 0.3 mK by default, 0.1 mK with 3 mm.
+/// Discretisation error at the foot after the heat of a train on R = 800 m. The foot has up to 181 mK. The limit is
+/// extrapolated in second order from cells of 2.5 mm (the default) and 2 mm; cells of 1.4 mm, whose modes take minutes,
+/// are 0.01 mK above it. What is allowed is what the docs state: 0.1 mK by default.
 #[test]
 fn property_discretisation_error_at_the_foot() {
     let feet = |cell_size: f64| {
-        let base = parameters(outline("AS60"), Resolution::Plane, cell_size);
-        let exchange = Exchange { convection: 15.0, ..INSULATED };
-        let line = Line { begin: 0.0, element_length: 0.1, elements: 2 };
-        let mut model = energy(Parameters { exchange, line, ..base }, &[1], &NIGHT);
-        // Half of 12.5 W for 156 s in 0.1 m.
-        let standing = |_| vec![Wheel { speed: 0.0, friction_power: 12.5, ..wheel(0.05) }];
-        run(&mut model, &NIGHT, standing, 0.0, 156, 1.0);
+        let (parameters, standing) = of_the_train(cell_size);
+        let mut model = energy(parameters, &[1], &NIGHT);
+        run(&mut model, &NIGHT, |_| standing.clone(), 0.0, 156, 1.0);
         let mut feet = vec![1e3 * model.excess(0, 2)];
-        for (from, to) in [(156.0, 300.0), (300.0, 600.0), (600.0, 1500.0)] {
+        for (from, to) in [(156.0, 300.0), (300.0, 600.0), (600.0, 1500.0), (1500.0, 3600.0)] {
             model.step(&[Wheel::default()], &NIGHT, from, to - from);
             feet.push(1e3 * model.excess(0, 2));
         }
         feet
     };
-    let fine = feet(0.0025);
-    println!("foot at 156, 300, 600, 1500 s: {fine:.4?} mK");
-    for (cell_size, allowed) in [(0.008, 2.2), (0.005, 0.3), (0.004, 0.15), (0.003, 0.1)] {
+    let (default, fine) = (feet(Parameters::CELL_SIZE), feet(0.002));
+    let limit: Vec<f64> = default
+        .iter()
+        .zip(&fine)
+        .map(|(default, fine)| fine - (default - fine) * 4.0 / (6.25 - 4.0))
+        .collect();
+    println!("foot at 156, 300, 600, 1500, 3600 s: {limit:.4?} mK");
+    for (cell_size, allowed) in
+        [(0.008, 1.0), (0.005, 0.25), (0.003, 0.2), (Parameters::CELL_SIZE, 0.1)]
+    {
         let found = feet(cell_size);
-        let errors: Vec<f64> = found.iter().zip(&fine).map(|(found, fine)| found - fine).collect();
+        let errors: Vec<f64> =
+            found.iter().zip(&limit).map(|(found, limit)| found - limit).collect();
         println!("cells of {cell_size} m: errors {errors:.4?} mK");
         assert!(errors.iter().all(|error| error.abs() < allowed), "{errors:?}");
     }
