@@ -57,7 +57,7 @@ fn start_and_run(scenarios: &[PathBuf]) {
     }
 }
 
-/// The files `scenario.toml` of all folders, and every file with a title in `foot-study`.
+/// The files `scenario.toml` of all folders, every file with a title in `foot-study`, and one beside another.
 fn shipped() -> Vec<PathBuf> {
     let files = |folder: PathBuf| std::fs::read_dir(folder).unwrap().flatten().map(|e| e.path());
     let folders = files(root().join("scenarios")).chain(files(root().join("scenarios/benchmarks")));
@@ -67,5 +67,6 @@ fn shipped() -> Vec<PathBuf> {
             .is_ok_and(|text| text.lines().any(|l| l.starts_with("title =")))
     };
     let of_study = files(root().join("scenarios/foot-study")).filter(has_title);
-    of_folders.filter(|file| file.exists()).chain(of_study).collect()
+    let column = root().join("scenarios/benchmarks/heat-share/column.toml");
+    of_folders.filter(|file| file.exists()).chain(of_study).chain([column]).collect()
 }

@@ -43,7 +43,10 @@ pub enum RunError {
     #[error("initialisation: {0}")]
     Start(#[from] StartError),
     /// A unit failed while running; what was recorded before is kept.
-    #[error("at {time} s: {source}; the results until then are in {results}")]
+    #[error(
+        "at {time} s: {source}; the results until then are in {results}, and `hotfoot report {results}` \
+         makes their report"
+    )]
     Step {
         /// Time at which the step began, s.
         time: f64,

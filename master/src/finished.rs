@@ -53,7 +53,9 @@ impl fmt::Display for Finished {
             let vehicles = per_step(times.vehicles);
             let each = vehicles * self.threads as f64 / self.vehicles as f64;
             write!(f, "vehicles {vehicles:.1} µs ({each:.2} µs a vehicle and thread), ")?;
-            write!(f, "rail {:.1} µs, ", per_step(times.rail))?;
+            let rail = per_step(times.rail);
+            let share = 100.0 * rail / per_step(times.of_steps());
+            write!(f, "rail {rail:.1} µs ({share:.1} % of all), ")?;
         }
         writeln!(
             f,

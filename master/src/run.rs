@@ -65,7 +65,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
             times: lockstep.times,
             vehicles: lockstep.vehicles.len(),
             threads,
-            warnings: take_warnings(lockstep.units_mut()),
+            warnings: manifest.run.warnings,
         })
     })
 }
@@ -108,6 +108,7 @@ fn run_prepared(
     manifest.run.energy = recorder.energy();
     recorder.finish()?;
     let end = terminate(lockstep.units_mut());
+    manifest.run.warnings = take_warnings(lockstep.units_mut());
     let reached = outcome.as_ref().map_or_else(|failed| failed.time, |()| rails_end);
     let simulated = reached.min(lockstep.clock.at(steps));
     manifest.finish(simulated, wall, &lockstep.times);

@@ -19,6 +19,13 @@ pub struct StepTimes {
     pub rails_after: Duration,
 }
 
+impl StepTimes {
+    /// All parts of the steps.
+    pub fn of_steps(&self) -> Duration {
+        self.train + self.vehicles + self.rail + self.exchange + self.recording
+    }
+}
+
 /// Measures laps.
 pub struct Stopwatch(Instant);
 

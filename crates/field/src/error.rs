@@ -47,6 +47,14 @@ pub enum FieldError {
         /// Time of the last snapshot, s.
         last: f64,
     },
+    /// The store was there and is not any more.
+    #[error(
+        "field {path}: is no longer there; something has removed or replaced it during the run"
+    )]
+    Gone {
+        /// Path of the store.
+        path: PathBuf,
+    },
     /// The field has no snapshot yet.
     #[error("field {path}: has no snapshot")]
     NoSnapshot {

@@ -68,7 +68,8 @@ impl FieldWriter {
     ///
     /// # Errors
     /// When the snapshot has the wrong size, does not come after the last one, or cannot be
-    /// written; the snapshots before it stay readable.
+    /// written; the snapshots before it stay readable. When the store is no longer there: nothing is
+    /// written then, for half of a store is none.
     pub fn append(&mut self, time: f64, rise: &[f32]) -> Result<(), FieldError> {
         self.check(time, rise)?;
         self.shard[..self.values].copy_from_slice(rise);
@@ -99,6 +100,9 @@ impl FieldWriter {
                 found: rise.len(),
                 wanted: self.values,
             });
+        }
+        if !is_rail_field(&self.path) {
+            return Err(FieldError::Gone { path: self.path.clone() });
         }
         match self.last {
             Some(last) if time <= last => {

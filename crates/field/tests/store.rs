@@ -78,6 +78,20 @@ fn property_a_half_appended_snapshot_is_not_seen() {
     assert_eq!(reader.at_time(1.0).unwrap().rise, rise(&axes(), 0));
 }
 
+/// A store that is removed while it is written is not begun again in halves.
+#[test]
+fn property_a_store_that_is_gone_stays_gone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    let mut writer = create(&path);
+    writer.append(0.0, &rise(&axes(), 0)).unwrap();
+    fs::remove_dir_all(&path).unwrap();
+    let refused = writer.append(1.0, &rise(&axes(), 1)).unwrap_err();
+    assert!(matches!(refused, FieldError::Gone { .. }), "{refused}");
+    assert!(refused.to_string().contains("rail.zarr: is no longer there"), "{refused}");
+    assert!(!path.exists());
+}
+
 #[test]
 fn property_the_store_describes_itself() {
     let folder = tempfile::tempdir().unwrap();

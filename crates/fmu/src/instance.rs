@@ -257,6 +257,9 @@ impl<M: Model> Instance<M> {
         }
         let origin = Arc::new(Origin { values: self.values.clone(), start_time: self.time });
         let (model, values) = self.build(&origin)?;
+        if let Some(stop) = self.experiment.and_then(|experiment| experiment.stop) {
+            model.foresee(stop).map_err(Error::Initialization)?;
+        }
         self.values = values;
         self.check_finite(origin.start_time)?;
         self.built = Some(Built { model, origin });

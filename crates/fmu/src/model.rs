@@ -134,6 +134,15 @@ pub trait Model: Send + Sized + 'static {
         log: &mut Log,
     ) -> Result<Self, ModelError>;
 
+    /// Refuses a run until `stop_time`, s, of which it can be foreseen that it fails on its way, as with a file of
+    /// measurements that ends before. Asked once initialised, if the simulation tool says when it will stop.
+    ///
+    /// # Errors
+    /// When the run would fail.
+    fn foresee(&self, _stop_time: f64) -> Result<(), ModelError> {
+        Ok(())
+    }
+
     /// Takes the model over the interval with the inputs in `values`, constant meanwhile, and
     /// writes the outputs at its end.
     ///

@@ -11,20 +11,13 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use railheat::energy::model::Energy;
 use railheat::energy::parameters::{Line, Parameters, Resolution};
-use railheat::energy::sun::Sun;
 use railheat::energy::weather::Weather;
 use railheat::energy::wheels::WheelHeat;
 use railheat::section::RailFile;
 use railheat::wheels::Wheel;
 use train::{SPEED, VEHICLES, wheels};
 
-const WEATHER: Weather = Weather {
-    ambient: 298.15,
-    wind: 0.0,
-    direct: 0.0,
-    diffuse: 0.0,
-    sun: Sun { elevation: 0.0, azimuth: 0.0 },
-};
+const WEATHER: Weather = Weather::still(298.15);
 
 fn model(resolution: Resolution) -> Energy {
     let outline = RailFile::open("AS60").expect("a section that is built in").outline();

@@ -22,13 +22,7 @@ use railheat::wheels::Wheel;
 use train::{SPEED, VEHICLES};
 
 /// A clear night, and a summer's day with the sun high at the side.
-const NIGHT: Weather = Weather {
-    ambient: 288.15,
-    wind: 1.0,
-    direct: 0.0,
-    diffuse: 0.0,
-    sun: Sun { elevation: 0.0, azimuth: 0.0 },
-};
+const NIGHT: Weather = Weather { wind: 1.0, ..Weather::still(288.15) };
 const DAY: Weather = Weather {
     direct: 900.0,
     diffuse: 100.0,

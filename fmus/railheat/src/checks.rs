@@ -2,10 +2,10 @@
 
 use fmu::ModelError;
 
+use crate::bounds::wrong;
 use crate::energy::weather::Weather;
 use crate::file::Shape;
 use crate::heat::Heat;
-use crate::parameters::wrong;
 use crate::weather_file::BOUNDS;
 use crate::wheels::Wheel;
 

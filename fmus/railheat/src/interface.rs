@@ -70,6 +70,11 @@ impl Model for RailHeat {
         Ok(rail_heat)
     }
 
+    fn foresee(&self, stop_time: f64) -> Result<(), ModelError> {
+        let at_the_end = self.weather.as_ref().map(|file| file.at(stop_time)).transpose();
+        at_the_end.map(|_| ()).map_err(ModelError::from_error)
+    }
+
     fn step(
         &mut self,
         signals: &Signals,
@@ -235,7 +240,7 @@ fn weather_at(
     if let Some(file) = file {
         return file.at(time).map_err(ModelError::from_error);
     }
-    let weather = signals.weather(values);
+    let weather = signals.weather.read(values);
     checks::weather(&weather)?;
     Ok(weather)
 }

@@ -24,6 +24,7 @@
 //! | `heat.rs` | the chosen model |
 //! | `file.rs` | `railheat.toml`: the wheels and probes that shape the interface |
 //! | `parameters*.rs`, `signals*.rs` | the FMU's variables |
+//! | `bounds.rs` | what values parameters may have |
 //! | `interface.rs` | the model as an FMU |
 //! | `checks.rs` | what makes no sense is refused in words |
 //! | `field_file.rs` | when a snapshot of the field is written |
@@ -33,6 +34,7 @@
 //! temperatures of the rail are rises above its initial temperature.
 
 pub mod audit;
+mod bounds;
 mod checks;
 pub mod column;
 pub mod creep_force;
@@ -51,6 +53,7 @@ pub mod rail;
 pub mod section;
 mod signals;
 mod signals_energy;
+mod signals_inputs;
 pub mod surface;
 pub mod weather_file;
 pub mod wheels;

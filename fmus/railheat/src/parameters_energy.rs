@@ -2,6 +2,7 @@
 
 use fmu::{Boolean, Declaration, ModelError, Real, Text, Values, unit};
 
+use crate::bounds::{not_negative, positive, share, whole, wrong};
 use crate::energy::bending::Beam;
 use crate::energy::ephemeris::Ephemeris;
 use crate::energy::initial::Day;
@@ -10,7 +11,7 @@ use crate::energy::shadow::Body;
 use crate::energy::weather::Exchange;
 use crate::energy::wheels::WheelHeat;
 use crate::energy::zones::Azimuth;
-use crate::parameters::{ParameterSignals, not_negative, positive, share, whole, wrong};
+use crate::parameters::ParameterSignals;
 use crate::section::RailFile;
 
 /// Most elements along the track.
@@ -74,14 +75,14 @@ impl EnergyParameterSignals {
                 "section.cell_size",
                 unit::METRE,
                 "Size of the section's cells, about",
-                0.005,
+                Parameters::CELL_SIZE,
             ),
             shortest: real(
                 "section.shortest_time",
                 unit::SECOND,
-                "Modes of the section that decay faster are left out, for speed; the foot then ripples \
-                 for some ten times as long after each wheel; zero: all modes",
-                0.0,
+                "Modes of the section that decay faster follow the heat that comes in and are kept for no \
+                 element; at most a fifth of section.interval; zero: all modes are kept",
+                0.2,
             ),
             interval: real(
                 "section.interval",

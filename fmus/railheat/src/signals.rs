@@ -1,16 +1,13 @@
-//! The FMU's inputs and outputs.
+//! The FMU's variables, and its outputs.
 
-use fmu::{Declaration, Real, Values, unit};
+use fmu::{Declaration, Real, unit};
 
-use crate::creep_force::Contact;
-use crate::energy::sun::Sun;
-use crate::energy::weather::Weather;
 use crate::file::Shape;
 use crate::parameters::ParameterSignals;
 use crate::parameters_energy::EnergyParameterSignals;
 use crate::parameters_site::SiteSignals;
 use crate::signals_energy::EnergyOutputSignals;
-use crate::wheels::Wheel;
+use crate::signals_inputs::{WeatherSignals, WheelSignals};
 
 /// Handles of all variables.
 #[derive(Debug)]
@@ -20,24 +17,8 @@ pub struct Signals {
     pub(crate) wheels: Vec<WheelSignals>,
     pub(crate) parameters_energy: EnergyParameterSignals,
     pub(crate) site: SiteSignals,
-    weather: WeatherSignals,
+    pub(crate) weather: WeatherSignals,
     pub(crate) outputs: OutputSignals,
-}
-
-/// Handles of the inputs of one wheel.
-#[derive(Debug)]
-pub(crate) struct WheelSignals {
-    /// `vehicle[i].wheelset[j]`
-    pub(crate) name: String,
-    position: Real,
-    speed: Real,
-    creepage: Real,
-    normal_force: Real,
-    a: Real,
-    b: Real,
-    friction_power: Real,
-    lateral_position: Real,
-    brake_power: Real,
 }
 
 /// Handles of the highest rise at one depth.
@@ -87,131 +68,6 @@ impl Signals {
             wheels,
             weather,
             shape,
-        }
-    }
-
-    pub(crate) fn weather(&self, values: &Values) -> Weather {
-        let WeatherSignals { ambient, irradiance, diffuse, wind, elevation, azimuth } =
-            self.weather;
-        Weather {
-            ambient: values[ambient],
-            wind: values[wind],
-            direct: values[irradiance],
-            diffuse: values[diffuse],
-            sun: Sun { elevation: values[elevation], azimuth: values[azimuth] },
-        }
-    }
-}
-
-/// Handles of the inputs of the weather.
-#[derive(Clone, Copy, Debug)]
-struct WeatherSignals {
-    ambient: Real,
-    irradiance: Real,
-    diffuse: Real,
-    wind: Real,
-    elevation: Real,
-    azimuth: Real,
-}
-
-impl WeatherSignals {
-    fn declare(declaration: &mut Declaration) -> Self {
-        let mut not_negative = |name: &str, unit, description: &str, start: f64| {
-            declaration.real(name, unit, description).min(0.0).input(start)
-        };
-        let ambient = not_negative(
-            "ambient.temperature",
-            unit::KELVIN,
-            "Temperature of the air; in model paper of the sky too",
-            298.15,
-        );
-        let irradiance = not_negative(
-            "solar.irradiance",
-            unit::WATT_PER_SQUARE_METRE,
-            "Irradiance of a surface that faces the sun, before the filter; the start value is the \
-             solar constant of the paper",
-            1366.0,
-        );
-        let diffuse = not_negative(
-            "solar.diffuse",
-            unit::WATT_PER_SQUARE_METRE,
-            "Diffuse irradiance of a horizontal surface; ignored by model paper",
-            0.0,
-        );
-        let wind = not_negative(
-            "wind.speed",
-            unit::METRE_PER_SECOND,
-            "Wind speed; ignored by model paper",
-            0.0,
-        );
-        let mut angle = |name: &str, description: &str, start: f64| {
-            declaration.real(name, unit::RADIAN, description).input(start)
-        };
-        let elevation = angle(
-            "solar.elevation",
-            "Elevation of the sun; ignored by model paper, whose sun stands straight above, as the \
-             start value says",
-            std::f64::consts::FRAC_PI_2,
-        );
-        let azimuth = angle(
-            "solar.azimuth",
-            "Azimuth of the sun from north over east; ignored by model paper",
-            0.0,
-        );
-        Self { ambient, irradiance, diffuse, wind, elevation, azimuth }
-    }
-}
-
-impl WheelSignals {
-    fn declare(name: String, declaration: &mut Declaration) -> Self {
-        declaration.terminal(name.clone(), "wheel", "A wheel on the rail");
-        let mut input = |signal: &str, unit, description: &str| {
-            declaration.real(format!("{name}.{signal}"), unit, description).input(0.0)
-        };
-        let signals = Self {
-            position: input("position", unit::METRE, "Chainage of the wheel"),
-            speed: input("speed", unit::METRE_PER_SECOND, "Running speed of the wheel"),
-            creepage: input(
-                "creepage.longitudinal",
-                unit::ONE,
-                "Longitudinal creepage (wheel - rail) / speed, positive in traction",
-            ),
-            normal_force: input("force.normal", unit::NEWTON, "Normal force of the contact"),
-            a: input("contact.a", unit::METRE, "Semi-axis of the contact along the rail"),
-            b: input("contact.b", unit::METRE, "Semi-axis of the contact across the rail"),
-            friction_power: input(
-                "friction_power",
-                unit::WATT,
-                "Friction power of the contact, longitudinal, lateral and spin; used by model energy",
-            ),
-            lateral_position: input(
-                "contact.lateral_position",
-                unit::METRE,
-                "Place of the contact on the rail head, to the right; used by model energy",
-            ),
-            brake_power: input(
-                "brake_power",
-                unit::WATT,
-                "Tread brake heat into the wheel; used by model energy",
-            ),
-            name: String::new(),
-        };
-        Self { name, ..signals }
-    }
-
-    pub(crate) fn read(&self, values: &Values) -> Wheel {
-        Wheel {
-            position: values[self.position],
-            speed: values[self.speed],
-            creepage: values[self.creepage],
-            contact: Contact {
-                normal_force: values[self.normal_force],
-                a: values[self.a],
-                b: values[self.b],
-            },
-            friction_power: values[self.friction_power],
-            lateral_position: values[self.lateral_position],
-            brake_power: values[self.brake_power],
         }
     }
 }

@@ -8,8 +8,8 @@
 //!
 //! The last two columns may be left out where `site.date_time` says when it is, and are not looked at there.
 //!
-//! Times are those of the simulation. A run that is not covered is refused at the start of it, or told of
-//! when it gets there; nothing is made up outside the file.
+//! Times are those of the simulation. A run that is not covered is refused at the start of it, or where the
+//! simulation tool does not say when it will stop, told of when it gets there; nothing is made up outside the file.
 
 use std::path::Path;
 
@@ -53,7 +53,8 @@ pub enum WeatherFileError {
     },
     /// The file does not cover a time.
     #[error(
-        "weather_file {file} has weather from {first} s to {last} s, but the run needs {time} s"
+        "weather_file {file} has weather from {first} s to {last} s, but the run needs {time} s; it must cover \
+         all of the run, the time after the train included"
     )]
     NotCovered {
         /// File name.

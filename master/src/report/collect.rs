@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use field::FieldReader;
+use field::{FieldError, FieldReader};
 use serde::Deserialize;
 
 use super::ReportError;
@@ -58,6 +58,7 @@ impl Results {
 pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
     let results = Results::open(folder)?;
     let Results { facts, train, vehicles, .. } = &results;
+    let mut unread = vec![];
     let leading = [("vehicle", KeyValue::Integer(1))];
     let time = vehicles.read("time", &leading)?;
     let positions = vehicles.read("position", &[])?;
@@ -67,8 +68,11 @@ pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
         for (rail, store) in rails.iter_mut().zip(&of_rails.fields) {
             let store = folder.join(store);
             if store.is_dir() {
-                let field = FieldReader::open(&store)?;
-                rail.field = Some(rail_field(&field, facts, &time, &positions)?);
+                // A field that was damaged, as by a full disk, must not cost the rest of the report.
+                match rail_field(&store, facts, &time, &positions) {
+                    Ok(field) => rail.field = Some(field),
+                    Err(error) => unread.push(format!("{error}; the report goes without it")),
+                }
             }
         }
     }
@@ -85,7 +89,7 @@ pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
         time,
         vehicles: plotted.collect::<Result<_, _>>()?,
         rails,
-        facts: facts.clone(),
+        facts: RunFacts { warnings: [facts.warnings.clone(), unread].concat(), ..facts.clone() },
     })
 }
 
@@ -132,11 +136,12 @@ fn vehicle(
 /// wanted time that the field has not reached is left out, as is one that falls on the same
 /// snapshot as another.
 fn rail_field(
-    reader: &FieldReader,
+    store: &Path,
     facts: &RunFacts,
     time: &[f64],
     positions: &[f64],
-) -> Result<RailField, ReportError> {
+) -> Result<RailField, FieldError> {
+    let reader = FieldReader::open(store)?;
     let mut field = RailField {
         chainage: reader.axes().chainage.clone(),
         depth: reader.axes().depth.clone(),

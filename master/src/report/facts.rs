@@ -25,6 +25,9 @@ pub struct RunFacts {
     /// What was foreseen before the first step, such as wheels outside the modelled rail.
     #[serde(default)]
     pub notes: Vec<String>,
+    /// What the units warned of during the run, such as a field that could no longer be written.
+    #[serde(default)]
+    pub warnings: Vec<String>,
     /// Times whose temperature field the report shows, s.
     #[serde(default)]
     pub heat_maps_at_s: Vec<f64>,

@@ -165,6 +165,7 @@ pub fn facts() -> RunFacts {
             last_train_end_s: SECONDS as f64,
         }),
         notes: vec!["wheels <outside> heat nothing".to_owned()],
+        warnings: vec!["the disk is full".to_owned()],
         heat_maps_at_s: vec![10.0, 20.0, 160.0],
         curves_m: vec![[50.0, 150.0]],
         step_s: 1e-3,

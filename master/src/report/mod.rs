@@ -60,9 +60,6 @@ pub enum ReportError {
     /// A series cannot be read.
     #[error(transparent)]
     Series(#[from] RecordingError),
-    /// The rail's field cannot be read.
-    #[error(transparent)]
-    Field(#[from] field::FieldError),
     /// A file cannot be read or written, or the manifest is not what a run writes.
     #[error(transparent)]
     File(#[from] FileError),

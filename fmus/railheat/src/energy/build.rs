@@ -1,4 +1,4 @@
-//! The model at its start, and what can be read of it.
+//! The model at its start.
 
 use std::ops::Range;
 
@@ -6,8 +6,9 @@ use super::along::Along;
 use super::answer::Answer;
 use super::crown::Crown;
 use super::elements::{Elements, Extra};
+use super::followers::{self, Followers};
 use super::initial::{Initial, NeverSettles};
-use super::ledger::{Ledger, Sources};
+use super::ledger::Ledger;
 use super::light::Light;
 use super::model::{Energy, State};
 use super::parameters::{Parameters, Resolution, Start};
@@ -17,8 +18,7 @@ use super::untouched::{self, Untouched};
 use super::weather::{Surface, Weather};
 use super::zones::{self, Sector, Zone};
 use crate::rail::Highest;
-use crate::section::{Cells, Modes, NoModes, dot};
-use crate::wheels::Wheel;
+use crate::section::{Cells, Modes, NoModes};
 
 /// The model cannot begin.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -59,32 +59,46 @@ impl Energy {
             _ => surface.balance(exchange, &weather, &light.absorbed),
         };
         let linear = surface.conductances(exchange, weather.wind, base);
-        let modes = Modes::new(&cells, material, &linear, parameters.shortest, *cell_size)?;
+        let modes = Modes::new(&cells, material, &linear, *cell_size)?;
         let mean = modes.weighted(surface.shares());
         let mut untouched = Untouched::new(surface, *exchange, linear, &modes);
         let readings = Readings::new(&cells, &modes, &parameters.depths);
+        let crown = Crown::new(&cells, &modes);
+        let bending = bending_shape(&cells, &modes, &parameters);
+        let propagator = Propagator::new(&modes, parameters.interval);
+        let kept = kept(&modes, &parameters);
+        let mut followers = Followers::new(&modes, kept, &readings, &crown, [&bending, &mean]);
+        followers.set_time(&propagator);
         let mut of_sector = |sector| {
             let start =
                 Beginning { parameters: &parameters, modes: &modes, weather: &weather, base };
-            let levels = readings.levels.len();
-            start.zone(sector, &mut untouched, Extra::none(mean.clone()), levels)
+            let extra = Extra::none(mean.clone(), followers.count());
+            start.zone(sector, &mut untouched, extra, readings.levels.len())
         };
         let zones = sectors.into_iter().map(&mut of_sector).collect::<Result<Vec<_>, _>>()?;
         let wheels = wheelsets.iter().sum();
-        let counts = Counts { width: modes.width(), wheels, zones: zones.len() };
-        let initial = State::new(&parameters, &readings, &counts, &weather, start_time);
+        let counts = Counts {
+            untouched: modes.width(),
+            kept,
+            readings: followers.count(),
+            levels: readings.levels.len(),
+            wheels,
+            zones: zones.len(),
+        };
+        let initial = State::new(&parameters, &counts, &weather, start_time);
         let mut model = Self {
             zones,
             zone_of,
             along: parameters.conducts_along.then(|| Along::new(line.elements)),
-            crown: Crown::new(&cells, &modes),
-            bending: bending_shape(&cells, &modes, &parameters),
+            crown,
+            bending,
+            followers,
             hysteresis: parameters.beam.hysteresis(1.0),
-            propagator: Propagator::new(&modes, parameters.interval),
+            propagator,
             surface: vec![0.0; line.elements],
             foot: Highest { rise: 0.0, chainage: line.chainage(0) },
             places: vec![None; wheels],
-            source: vec![0.0; modes.width()],
+            source: vec![0.0; kept],
             vehicles: vehicles(wheelsets),
             state: initial,
             untouched,
@@ -94,134 +108,6 @@ impl Energy {
         };
         model.read_untouched();
         Ok(model)
-    }
-
-    /// The model's constants.
-    pub fn parameters(&self) -> &Parameters {
-        &self.parameters
-    }
-
-    /// The modes of the section.
-    pub fn modes(&self) -> &Modes {
-        &self.modes
-    }
-
-    /// Number of levels at which the rise is read: surface, the parameters' depths, foot.
-    pub fn levels(&self) -> usize {
-        self.readings.levels.len()
-    }
-
-    /// The rise of an element over the initial state at a level, K.
-    pub fn rise(&self, element: usize, level: usize) -> f64 {
-        self.zone(element).rises[level] + self.excess(element, level)
-    }
-
-    /// The rise of an element over untouched rail at a level, K.
-    pub fn excess(&self, element: usize, level: usize) -> f64 {
-        dot(&self.readings.levels[level], self.state.elements.amplitudes(element))
-    }
-
-    /// The rise at the surface where no wheel has been, at the beginning of the track, K.
-    pub fn untouched_surface(&self) -> f64 {
-        self.zones[0].rises[0]
-    }
-
-    /// Temperature of the middle of the crown at the start, at the beginning of the track, K.
-    pub fn initial_temperature(&self) -> f64 {
-        self.zones[0].initial.crown(self.untouched.surface())
-    }
-
-    fn zone(&self, element: usize) -> &Zone {
-        &self.zones[usize::from(self.zone_of[element])]
-    }
-
-    fn untouched_state(&self, element: usize) -> &untouched::State {
-        &self.state.untouched[usize::from(self.zone_of[element])]
-    }
-
-    /// The highest rise at each level when heat was conducted last.
-    pub fn highest(&self) -> &[Highest] {
-        &self.state.highest
-    }
-
-    /// The highest flash rise of any wheel in the last step, K.
-    pub fn highest_flash(&self) -> f64 {
-        self.state.highest_flash
-    }
-
-    /// Temperature of each wheel, K.
-    pub fn wheel_temperatures(&self) -> &[f64] {
-        &self.state.wheels
-    }
-
-    /// Where the heat of the whole rail came from and where it was when heat was conducted last.
-    pub fn ledger(&self) -> Ledger {
-        self.state.ledger
-    }
-
-    /// What cameras see of the foot.
-    pub fn answer(&self) -> &Answer {
-        &self.state.answer
-    }
-
-    /// Heat above the initial state per metre of rail at an element, J/m.
-    pub fn heat_per_metre(&self, element: usize) -> f64 {
-        dot(&self.modes.content, &self.untouched_state(element).amplitudes)
-            + self.state.elements.heat(element, &self.modes)
-    }
-
-    /// Heat by source per metre of rail at an element, J/m.
-    pub fn sources_per_metre(&self, element: usize) -> Sources {
-        let mut sources = self.state.elements.sources(element);
-        sources.weather += self.untouched_state(element).weather;
-        sources
-    }
-
-    /// Reversible temperature change of the foot at a chainage by the bending under all wheels, K.
-    pub fn thermoelastic(&self, chainage: f64, wheels: &[Wheel]) -> f64 {
-        let Parameters { beam, material, .. } = &self.parameters;
-        let load = |wheel: &Wheel| (wheel.contact.normal_force, wheel.position - chainage);
-        let moment = beam.moment(wheels.iter().map(load));
-        let temperature = self.zones[0].initial.mean(self.untouched.surface());
-        beam.thermoelastic(moment, temperature, material.heat_capacity())
-    }
-
-    /// Depth of each row of a snapshot, m.
-    pub fn depths(&self) -> &[f64] {
-        &self.readings.depths
-    }
-
-    /// Writes the rises on the middle line into `values`, the depths of the first element first.
-    pub fn snapshot(&self, values: &mut [f32]) {
-        let rows = &self.readings.rows;
-        for (element, column) in values.chunks_exact_mut(rows.len()).enumerate() {
-            let amplitudes = self.state.elements.amplitudes(element);
-            let touched = self.state.elements.is_touched(element);
-            for (value, row) in column.iter_mut().zip(rows) {
-                let excess = if touched { dot(row, amplitudes) } else { 0.0 };
-                *value = (dot(row, &self.untouched_state(element).amplitudes) + excess) as f32;
-            }
-        }
-    }
-
-    /// Number of elements that something has touched; the others cost nothing.
-    pub fn touched(&self) -> usize {
-        let elements = &self.state.elements;
-        (0..elements.count()).filter(|element| elements.is_touched(*element)).count()
-    }
-
-    /// All that changes, for saving.
-    pub fn state(&self) -> &State {
-        &self.state
-    }
-
-    /// Puts a saved state back.
-    pub fn restore(&mut self, state: State) {
-        self.state = state;
-        for (element, surface) in self.surface.iter_mut().enumerate() {
-            *surface = dot(self.readings.surface(), self.state.elements.amplitudes(element));
-        }
-        self.read_untouched();
     }
 }
 
@@ -273,35 +159,40 @@ impl Beginning<'_> {
 
 /// How many there are of what a state has.
 struct Counts {
-    width: usize,
+    /// Amplitudes of untouched rail.
+    untouched: usize,
+    /// Amplitudes of an element.
+    kept: usize,
+    readings: usize,
+    levels: usize,
     wheels: usize,
     zones: usize,
 }
 
 impl State {
-    fn new(
-        parameters: &Parameters,
-        readings: &Readings,
-        counts: &Counts,
-        weather: &Weather,
-        start_time: f64,
-    ) -> Self {
-        let Counts { width, wheels, zones } = *counts;
+    fn new(parameters: &Parameters, counts: &Counts, weather: &Weather, start_time: f64) -> Self {
+        let Counts { untouched, kept, readings, levels, wheels, zones } = *counts;
         let nowhere = Highest { rise: 0.0, chainage: parameters.line.chainage(0) };
-        let untouched = untouched::State { amplitudes: vec![0.0; width], weather: 0.0 };
+        let untouched = untouched::State { amplitudes: vec![0.0; untouched], weather: 0.0 };
         Self {
-            elements: Elements::new(parameters.line.elements, width),
+            elements: Elements::new(parameters.line.elements, kept, readings),
             untouched: vec![untouched; zones],
             conducted: start_time,
             positions: vec![None; wheels],
             wheels: vec![weather.ambient + parameters.wheel.initial_rise; wheels],
             ledger: Ledger::default(),
-            highest: vec![nowhere; readings.levels.len()],
+            highest: vec![nowhere; levels],
             highest_flash: 0.0,
             answer: Answer::default(),
             stray_told: false,
         }
     }
+}
+
+/// Number of amplitudes that are kept for an element: of modes that do not follow.
+fn kept(modes: &Modes, parameters: &Parameters) -> usize {
+    let shortest = parameters.shortest.min(parameters.interval / followers::DECAYS);
+    if shortest > 0.0 { modes.width_below(1.0 / shortest) } else { modes.even_width() }
 }
 
 /// Amplitudes by 1 J/m of hysteresis heat: with the square of the distance from the neutral axis.

@@ -20,7 +20,7 @@ const RUNNING_DEPTH: f64 = 0.016;
 pub struct Crown {
     /// Ends of the strips, m; one more than strips.
     ends: Vec<f64>,
-    /// Strip after strip the modes of its cell.
+    /// Strip after strip the even modes of its cell.
     shapes: Vec<f64>,
     width: usize,
 }
@@ -31,7 +31,7 @@ impl Crown {
         let upwards = |facet: &&Facet| facet.normal.z < 0.0 && facet.middle().z < RUNNING_DEPTH;
         let mut facets: Vec<&Facet> = cells.facets.iter().filter(upwards).collect();
         facets.sort_by(|a, b| a.middle().y.total_cmp(&b.middle().y));
-        let mut crown = Self { ends: vec![], shapes: vec![], width: modes.width() };
+        let mut crown = Self { ends: vec![], shapes: vec![], width: modes.even_width() };
         let mut last = usize::MAX;
         for facet in facets {
             let [a, b] = facet.ends.map(|end| end.y);
@@ -41,7 +41,7 @@ impl Crown {
                 if crown.ends.is_empty() {
                     crown.ends.push(a.min(b));
                 }
-                crown.shapes.extend_from_slice(modes.at(facet.cell));
+                crown.shapes.extend_from_slice(&modes.at(facet.cell)[..crown.width]);
                 last = facet.cell;
             }
             crown.ends.push(a.max(b));
@@ -49,8 +49,18 @@ impl Crown {
         crown
     }
 
-    /// The strips that a band covers with their share of its heat.
-    fn shares(&self, lateral: f64, half_width: f64) -> impl Iterator<Item = (usize, f64)> + '_ {
+    /// Number of strips.
+    pub fn strips(&self) -> usize {
+        self.ends.len() - 1
+    }
+
+    /// The even modes of a strip's cell.
+    pub fn shape(&self, strip: usize) -> &[f64] {
+        &self.shapes[strip * self.width..][..self.width]
+    }
+
+    /// The strips that a band of this lateral place and half width, m, covers, with their share of its heat.
+    pub fn shares(&self, lateral: f64, half_width: f64) -> impl Iterator<Item = (usize, f64)> + '_ {
         let (left, right) = (self.ends[0], self.ends[self.ends.len() - 1]);
         let half_width = half_width.min(0.5 * (right - left));
         let middle = lateral.clamp(left + half_width, right - half_width);
@@ -58,20 +68,12 @@ impl Crown {
             let s = ((end - middle) / half_width).clamp(-1.0, 1.0);
             0.75 * s - 0.25 * s * s * s
         };
-        let last = self.ends.len() - 2;
+        let last = self.strips() - 1;
         (0..=last).filter_map(move |strip| {
             // The outermost strips reach as far as the band does.
             let from = if strip == 0 { -0.5 } else { part(self.ends[strip]) };
             let to = if strip == last { 0.5 } else { part(self.ends[strip + 1]) };
             (to > from).then_some((strip, to - from))
         })
-    }
-
-    /// Adds the amplitudes by heat in J/m in a band of this lateral place and half width, m.
-    pub fn add(&self, amplitudes: &mut [f64], heat: f64, lateral: f64, half_width: f64) {
-        for (strip, share) in self.shares(lateral, half_width) {
-            let shape = &self.shapes[strip * self.width..][..self.width];
-            crate::section::add(amplitudes, heat * share, shape);
-        }
     }
 }

@@ -1,12 +1,16 @@
 //! What each element of the rail has more than untouched rail.
 //!
 //! Elements that no wheel has touched have nothing more and cost nothing. The others have the
-//! amplitudes of the section's modes. Heat that comes in between two steps is gathered and spread
+//! amplitudes of the section's even modes: what is read of them, on the middle line and in sums, has nothing of
+//! the odd ones (`section/modes.rs`). Of these again only the slower ones are computed, those that have not
+//! decayed since heat last came in: a minute after the last wheel some thirty. Arrays over all modes are read as far
+//! as these go. Heat that comes in between two steps is gathered and spread
 //! evenly over the step (second order in its length, and exact in its sum).
 
 use serde::{Deserialize, Serialize};
 
 use super::crown::Crown;
+use super::followers::Followers;
 use super::ledger::Sources;
 use super::propagator::Propagator;
 use crate::section::{LANES, Modes, add, dot};
@@ -51,6 +55,8 @@ impl From<&Wheel> for Place {
 pub struct Extra {
     /// Heat that the shade of a vehicle takes in the modes, J/m per second.
     pub shade: Vec<f64>,
+    /// What the modes that follow make of it in the readings, K per second.
+    pub shade_followed: Vec<f64>,
     /// Sum of it over the section, W/m.
     pub shade_heat: f64,
     /// Share of each mode in the mean rise of the exposed surface.
@@ -64,10 +70,12 @@ pub struct Extra {
 }
 
 impl Extra {
-    /// The weather of the start, with the share of each mode in the mean rise of the surface.
-    pub fn none(mean: Vec<f64>) -> Self {
+    /// The weather of the start, with the share of each mode in the mean rise of the surface, for so
+    /// many readings.
+    pub fn none(mean: Vec<f64>, readings: usize) -> Self {
         Self {
             shade: vec![0.0; mean.len()],
+            shade_followed: vec![0.0; readings],
             shade_heat: 0.0,
             conductance: 0.0,
             train_wind: 0.0,
@@ -80,6 +88,7 @@ impl Extra {
 /// The part of the constants that a step of the elements needs.
 pub(crate) struct Section<'m> {
     pub modes: &'m Modes,
+    pub followers: &'m Followers,
     pub crown: &'m Crown,
     pub bending: &'m [f64],
     pub propagator: &'m Propagator,
@@ -92,6 +101,12 @@ pub struct Elements {
     width: usize,
     /// Element after element.
     amplitudes: Vec<f64>,
+    /// How many of the amplitudes of each element, in groups of [`LANES`], have not decayed; the others
+    /// are zero.
+    alive: Vec<u16>,
+    /// What the modes that follow add to each reading, K, element after element.
+    followed: Vec<f64>,
+    readings: usize,
     touched: Vec<bool>,
     deposits: Vec<Deposit>,
     /// Heat by source, J/m, beyond what untouched rail got.
@@ -99,11 +114,14 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// So many elements with so many amplitudes.
-    pub fn new(elements: usize, width: usize) -> Self {
+    /// So many elements with so many amplitudes and readings each.
+    pub fn new(elements: usize, width: usize, readings: usize) -> Self {
         Self {
             width,
+            followed: vec![0.0; elements * readings],
+            readings,
             amplitudes: vec![0.0; elements * width],
+            alive: vec![0; elements],
             touched: vec![false; elements],
             deposits: vec![Deposit::default(); elements],
             sources: vec![Sources::default(); elements],
@@ -168,11 +186,17 @@ impl Elements {
     /// Changes a group of an element's amplitudes.
     pub(super) fn change_row(&mut self, element: usize, group: usize, by: &[f64; LANES]) {
         add(&mut self.amplitudes[element * self.width + group * LANES..][..LANES], 1.0, by);
+        self.alive[element] = self.alive[element].max(group as u16 + 1);
     }
 
-    /// The amplitudes of an element.
+    /// The amplitudes of an element that have not decayed.
     pub fn amplitudes(&self, element: usize) -> &[f64] {
-        &self.amplitudes[element * self.width..][..self.width]
+        &self.amplitudes[element * self.width..][..usize::from(self.alive[element]) * LANES]
+    }
+
+    /// What the modes that follow add to the readings of an element, K.
+    pub fn followed(&self, element: usize) -> &[f64] {
+        &self.followed[element * self.readings..][..self.readings]
     }
 
     /// Heat by source of an element beyond untouched rail, J/m.
@@ -189,30 +213,39 @@ impl Elements {
     /// One step of an element; `source` is scratch.
     pub(crate) fn step(&mut self, element: usize, section: &Section<'_>, source: &mut [f64]) {
         let Section { modes, propagator, .. } = section;
-        let amplitudes = &mut self.amplitudes[element * self.width..][..self.width];
+        let all = &mut self.amplitudes[element * self.width..][..self.width];
+        let alive = &mut self.alive[element];
+        let amplitudes = &mut all[..usize::from(*alive) * LANES];
         let deposit = std::mem::take(&mut self.deposits[element]);
         let mut lost = dot(&propagator.lost, amplitudes);
-        let (heat, weather) = fill(source, &deposit, section, amplitudes);
+        let followed = &mut self.followed[element * self.readings..][..self.readings];
+        let (heat, weather) = fill([source, followed], &deposit, section, amplitudes);
         propagator.decay(amplitudes);
         if heat.is_some() {
             lost += dot(&propagator.lost_at_once, source);
-            propagator.add(amplitudes, source);
+            propagator.add(all, source);
+            *alive = (self.width / LANES) as u16;
+        } else {
+            let (groups, _) = amplitudes.as_chunks::<LANES>();
+            let decayed = groups.iter().rev().take_while(|group| **group == [0.0; LANES]);
+            *alive -= decayed.count() as u16;
         }
-        // What modes that are left out would hold, the surroundings have at once.
+        // What the modes that follow hold is next to nothing, and the surroundings have it at once.
         let dropped = heat.map_or(0.0, |heat| heat - dot(&modes.content, source));
         self.sources[element].weather += weather - lost - dropped;
     }
 }
 
-/// Fills the sources of the modes over a step, J/m. Gives the heat of all, if there is any, and
-/// that of the weather among it.
+/// Fills the sources of the modes over a step, J/m, and what the modes that follow make of them in the readings, K.
+/// Gives the heat of all, if there is any, and that of the weather among it.
 fn fill(
-    source: &mut [f64],
+    [source, followed]: [&mut [f64]; 2],
     deposit: &Deposit,
     section: &Section<'_>,
     amplitudes: &[f64],
 ) -> (Option<f64>, f64) {
-    let Section { extra, propagator, .. } = section;
+    let Section { extra, propagator, followers, .. } = section;
+    followed.fill(0.0);
     if *deposit == Deposit::default() && extra.conductance == 0.0 {
         return (None, 0.0);
     }
@@ -221,13 +254,18 @@ fn fill(
     if deposit.weight > 0.0 {
         let lateral = deposit.lateral / deposit.weight;
         let half_width = deposit.half_width / deposit.weight;
-        section.crown.add(source, deposit.contact, lateral, half_width);
+        for (strip, share) in section.crown.shares(lateral, half_width) {
+            add(source, share * deposit.contact, section.crown.shape(strip));
+            followers.add_strip(followed, strip, share * deposit.contact);
+        }
     }
     if deposit.bending != 0.0 {
         add(source, deposit.bending, section.bending);
+        followers.add_bending(followed, deposit.bending);
     }
     if deposit.shaded > 0.0 && extra.shade_heat != 0.0 {
         add(source, -deposit.shaded, &extra.shade);
+        add(followed, -deposit.shaded, &extra.shade_followed);
         weather -= deposit.shaded * extra.shade_heat;
     }
     let in_wind = deposit.covered * extra.train_wind;
@@ -236,6 +274,7 @@ fn fill(
         let heat =
             -propagator.time() * extra.conductance * rise - in_wind * (rise + extra.over_air);
         add(source, heat, &extra.mean);
+        followers.add_exposed(followed, heat);
         weather += heat;
     }
     (Some(deposit.contact + deposit.bending + weather), weather)

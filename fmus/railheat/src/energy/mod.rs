@@ -3,7 +3,8 @@
 //! | file | part |
 //! |---|---|
 //! | `model.rs` | what happens in which order |
-//! | `build.rs` | the model at its start, and what can be read of it |
+//! | `build.rs` | the model at its start |
+//! | `view.rs` | what can be read of it |
 //! | `parameters.rs` | all constants |
 //! | `wheels.rs` | heat of friction, and the temperature of each wheel |
 //! | `chill.rs` | conduction between wheel and rail |
@@ -19,6 +20,7 @@
 //! | `readings.rs` | where in the section the rise is read |
 //! | `propagator.rs` | one exact step of the modes |
 //! | `elements.rs` | what each element has more than untouched rail |
+//! | `followers.rs` | modes so fast that they follow the heat |
 //! | `along.rs` | conduction along the track |
 //! | `answer.rs` | highest foot rise, first detection, camera on the train |
 //! | `surroundings.rs` | shade and wind of the train, and weather that has changed |
@@ -33,6 +35,7 @@ pub mod chill;
 pub mod crown;
 pub mod elements;
 pub mod ephemeris;
+pub mod followers;
 pub mod initial;
 pub mod ledger;
 mod light;
@@ -45,6 +48,7 @@ pub mod shadow;
 pub mod sun;
 mod surroundings;
 pub mod untouched;
+mod view;
 pub mod weather;
 pub mod wheels;
 pub mod zones;

@@ -19,6 +19,7 @@ use super::along::Along;
 use super::answer::Answer;
 use super::crown::Crown;
 use super::elements::{Elements, Section};
+use super::followers::Followers;
 use super::ledger::{Ledger, Sources};
 use super::parameters::Parameters;
 use super::propagator::Propagator;
@@ -62,6 +63,7 @@ pub struct Energy {
     pub(super) modes: Modes,
     pub(super) crown: Crown,
     pub(super) readings: Readings,
+    pub(super) followers: Followers,
     /// Amplitudes by bending heat of 1 J/m.
     pub(super) bending: Vec<f64>,
     /// Heat of hysteresis by a wheel load of one, over the square of the load, J/(m·N²).
@@ -200,7 +202,9 @@ impl Energy {
             weather.sun = ephemeris.at(until - 0.5 * time);
         }
         self.cover(&weather, time);
-        self.propagator.set_time(&self.modes, time);
+        if self.propagator.set_time(&self.modes, time) {
+            self.followers.set_time(&self.propagator);
+        }
         for (zone, state) in self.zones.iter_mut().zip(&mut self.state.untouched) {
             let Zone { light, initial, sector, .. } = zone;
             light.shine(&self.parameters.outline, &self.untouched, &weather, sector.azimuth);
@@ -215,6 +219,7 @@ impl Energy {
             if elements.is_touched(element) {
                 let section = Section {
                     modes: &self.modes,
+                    followers: &self.followers,
                     crown: &self.crown,
                     bending: &self.bending,
                     propagator: &self.propagator,

@@ -31,11 +31,14 @@ impl Energy {
             let rises = &zones[usize::from(zone_of[element])].rises;
             stored += dot(&modes.content, amplitudes);
             sources += state.elements.sources(element);
-            *surface = dot(readings.surface(), amplitudes);
+            let followed = state.elements.followed(element);
+            *surface = dot(&readings.levels[0], amplitudes) + followed[0];
             let chainage = line.chainage(element);
             for (place, highest) in state.highest.iter_mut().enumerate() {
-                let excess =
-                    if place == 0 { *surface } else { dot(&readings.levels[place], amplitudes) };
+                let excess = match place {
+                    0 => *surface,
+                    _ => dot(&readings.levels[place], amplitudes) + followed[place],
+                };
                 if excess + rises[place] > highest.rise {
                     *highest = Highest { rise: excess + rises[place], chainage };
                 }
@@ -69,7 +72,7 @@ impl Energy {
         state.answer.note(finding, parameters.threshold);
         let last = places.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         if let Some(element) = line.element(last) {
-            let rise = dot(readings.foot(), state.elements.amplitudes(element));
+            let rise = readings.read(&state.elements, element, readings.levels.len() - 1);
             state.answer.note_from_train(Finding { rise, chainage: last, time });
         }
     }

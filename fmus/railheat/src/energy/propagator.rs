@@ -9,9 +9,8 @@
 
 use crate::section::Modes;
 
-/// Amplitudes below this are nothing, J/m: kept from becoming so small that computing with them
-/// is slow.
-const NOTHING: f64 = 1e-60;
+/// Amplitudes below this are nothing: less than 1e-20 K in any cell. A mode that has decayed so far costs nothing.
+const NOTHING: f64 = 1e-20;
 
 /// The factors for a step.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,10 +39,10 @@ impl Propagator {
         propagator
     }
 
-    /// Makes the factors those of another step, if it is another.
-    pub fn set_time(&mut self, modes: &Modes, time: f64) {
+    /// Makes the factors those of another step, if it is another; tells whether it is.
+    pub fn set_time(&mut self, modes: &Modes, time: f64) -> bool {
         if time == self.time {
-            return;
+            return false;
         }
         self.time = time;
         for k in 0..modes.width() {
@@ -60,11 +59,17 @@ impl Propagator {
             self.lost[k] = modes.loss[k] * gain * time;
             self.lost_at_once[k] = modes.loss[k] * rest * time;
         }
+        true
     }
 
     /// The time of the step, s.
     pub fn time(&self) -> f64 {
         self.time
+    }
+
+    /// What is left of heat at the end of the step over which it comes in evenly.
+    pub(super) fn gain(&self) -> &[f64] {
+        &self.gain
     }
 
     /// Lets amplitudes decay.

@@ -1,6 +1,8 @@
-//! Where in the section the rise is read: on its middle line, linear between the middles of rows.
+//! Where in the section the rise is read: on its middle line, linear between the middles of rows; at the foot on
+//! its underside.
 
-use crate::section::{Cells, Modes};
+use super::elements::Elements;
+use crate::section::{Cells, Modes, dot};
 
 /// Half width of the band on the crown over which the surface is read, m.
 const BAND: f64 = 0.015;
@@ -23,18 +25,20 @@ impl Readings {
             (0..cells.rows).map(|row| middle_of_row(cells, row)).collect();
         let step = cells.height / cells.rows as f64;
         let last = cells.rows - 1;
+        let mix = |row: usize, weight: f64| {
+            middles[row].iter().map(move |(cell, part)| (*cell, part * weight))
+        };
         let at_depth = |depth: &f64| {
             let place = (depth / step - 0.5).clamp(0.0, last as f64);
             let above = place as usize;
             let share = place - above as f64;
-            let mix = |row: usize, weight: f64| {
-                middles[row].iter().map(move |(cell, part)| (*cell, part * weight))
-            };
             modes.weighted(mix(above, 1.0 - share).chain(mix((above + 1).min(last), share)))
         };
+        // On a parabola through the last two rows that is level at the underside, where next to nothing flows.
+        let foot = modes.weighted(mix(last, 9.0 / 8.0).chain(mix(last - 1, -1.0 / 8.0)));
         let levels = std::iter::once(modes.weighted(crown(cells)))
             .chain(depths.iter().map(at_depth))
-            .chain([modes.weighted(middles[last].iter().copied())])
+            .chain([foot])
             .collect();
         Self {
             levels,
@@ -43,14 +47,13 @@ impl Readings {
         }
     }
 
-    /// The shapes at the surface.
-    pub fn surface(&self) -> &[f64] {
-        &self.levels[0]
-    }
-
-    /// The shapes at the foot's underside.
-    pub fn foot(&self) -> &[f64] {
-        &self.levels[self.levels.len() - 1]
+    /// What an element has more than untouched rail at a reading, counted through levels and rows, K.
+    pub fn read(&self, elements: &Elements, element: usize, reading: usize) -> f64 {
+        let shape = match reading.checked_sub(self.levels.len()) {
+            None => &self.levels[reading],
+            Some(row) => &self.rows[row],
+        };
+        dot(shape, elements.amplitudes(element)) + elements.followed(element)[reading]
     }
 }
 

@@ -37,7 +37,8 @@ impl Energy {
 
     /// What touched elements feel of the weather beyond what untouched rail does.
     pub(super) fn weigh(&mut self, wheels: &[Wheel], weather: &Weather) {
-        let Self { parameters: Parameters { train, exchange, .. }, untouched, .. } = self;
+        let Self { parameters: Parameters { train, exchange, .. }, untouched, followers, .. } =
+            self;
         let surface = untouched.surface();
         let exposed = surface.exposed();
         let speed = wheels.iter().map(|wheel| wheel.speed.abs()).fold(0.0, f64::max);
@@ -54,6 +55,7 @@ impl Energy {
             extra.train_wind = train_wind;
             extra.over_air = mean - weather.ambient;
             extra.shade.fill(0.0);
+            extra.shade_followed.fill(0.0);
             extra.shade_heat = 0.0;
             if train.shade.is_none() {
                 continue;
@@ -65,6 +67,7 @@ impl Energy {
                     extra.shade_heat += heat;
                 }
             }
+            followers.read(&mut extra.shade_followed, &extra.shade);
         }
     }
 }

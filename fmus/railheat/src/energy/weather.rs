@@ -34,6 +34,14 @@ pub struct Weather {
     pub sun: Sun,
 }
 
+impl Weather {
+    /// Air of a temperature in K without wind, and no sun.
+    pub const fn still(ambient: f64) -> Self {
+        let sun = Sun { elevation: 0.0, azimuth: 0.0 };
+        Self { ambient, wind: 0.0, direct: 0.0, diffuse: 0.0, sun }
+    }
+}
+
 /// How the rail exchanges heat.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exchange {

@@ -119,6 +119,14 @@ impl RailFile {
                 "corners_mm: every value must be a number that is not negative".to_owned(),
             );
         }
+        if let Some(place) = corners.iter().position(|corner| corner[1] > self.height_mm) {
+            return Some(format!(
+                "corners_mm[{}]: the height {} is above the crown: must be at most height_mm = {}",
+                place + 1,
+                corners[place][1],
+                self.height_mm
+            ));
+        }
         let closed = [first[0], first[1] - self.height_mm, last[0], last[1]];
         if closed.iter().any(|gap| gap.abs() > 1e-9) {
             return Some(format!(

@@ -14,12 +14,15 @@
 //! a' = -λ a + φᵀ s,    u = Σ a φ
 //! ```
 //!
-//! which are solved exactly for any step as long as s is constant. Modes that decay within
-//! `shortest` are left out, if wanted: their heat, next to nothing, counts as given to the air at
-//! once, but the temperatures ripple all over the section for some ten times as long after heat
-//! comes in, because what cancelled at the foot is missing.
+//! which are solved exactly for any step as long as s is constant.
+//!
+//! A rail's section is symmetric. So each mode is equal (even) or opposite (odd) on both sides of its middle, and
+//! the two kinds are found by themselves, in half as many unknowns. Odd modes hold no heat, lose none and are zero on the
+//! middle line: whoever reads nothing but these needs the even ones only, which come first.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use nalgebra::{DMatrix, DVectorView, SymmetricEigen};
 
 use super::cells::Cells;
 use crate::material::Material;
@@ -43,15 +46,20 @@ pub struct NoModes {
 }
 
 /// Most cells of a section: its modes take some ten seconds.
-const MOST_CELLS: usize = 1500;
+const MOST_CELLS: usize = 2400;
 
-/// The slowest modes of a section.
+/// A mode holds most of the heat of a uniform section if it holds more than this share.
+const MOST_OF_THE_HEAT: f64 = 0.5;
+
+/// The modes of a section.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modes {
-    /// λ of each mode, slowest first, 1/s; padded with zeros.
+    /// λ of each mode, 1/s: the even ones slowest first, the odd ones slowest first, zeros as padding.
     pub rates: Vec<f64>,
     /// Number of modes without the padding.
     pub count: usize,
+    /// Number of even modes.
+    pub even: usize,
     /// Heat in the rail by an amplitude of one, 1ᵀ C φ, J/m.
     pub content: Vec<f64>,
     /// Heat per time to the surroundings by an amplitude of one, summed over the surface, W/m.
@@ -62,7 +70,7 @@ pub struct Modes {
 
 impl Modes {
     /// The modes of cells of a material, with the conductance to the surroundings of each facet in
-    /// W/(m²·K). Those with a time constant below `shortest` in s are left out.
+    /// W/(m²·K).
     ///
     /// # Errors
     /// When there are fewer than two cells, or too many.
@@ -70,62 +78,58 @@ impl Modes {
         cells: &Cells,
         material: &Material,
         surface: &[f64],
-        shortest: f64,
         size: f64,
     ) -> Result<Self, NoModes> {
         let n = cells.cells.len();
         if !(2..=MOST_CELLS).contains(&n) {
             return Err(NoModes { cells: n, most: MOST_CELLS, size });
         }
-        let root = DVector::from_iterator(
-            n,
-            cells.cells.iter().map(|cell| (material.heat_capacity() * cell.area).sqrt()),
-        );
-        let mut matrix = DMatrix::<f64>::zeros(n, n);
-        for link in &cells.links {
-            let [a, b] = link.cells;
-            let conductance = material.conductivity * link.ratio;
-            matrix[(a, a)] += conductance / (root[a] * root[a]);
-            matrix[(b, b)] += conductance / (root[b] * root[b]);
-            matrix[(a, b)] -= conductance / (root[a] * root[b]);
-            matrix[(b, a)] -= conductance / (root[a] * root[b]);
-        }
-        let mut to_air = DVector::<f64>::zeros(n);
-        for (facet, conductance) in cells.facets.iter().zip(surface) {
-            to_air[facet.cell] += conductance * facet.length;
-        }
-        for cell in 0..n {
-            matrix[(cell, cell)] += to_air[cell] / (root[cell] * root[cell]);
-        }
-        let eigen = SymmetricEigen::new(matrix);
-        let mut order: Vec<usize> = (0..n).collect();
-        order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
-        order.retain(|mode| eigen.eigenvalues[*mode] * shortest < 1.0);
-        let count = order.len();
+        let section = Conductances::new(cells, material, surface);
+        let mut found = section.modes(EVEN);
+        let even = found.len();
+        found.extend(section.modes(ODD));
+        let count = found.len();
         let width = count.next_multiple_of(LANES);
         let mut modes = Self {
             rates: vec![0.0; width],
             count,
+            even,
             content: vec![0.0; width],
             loss: vec![0.0; width],
             shapes: vec![0.0; width * n],
         };
-        for (k, mode) in order.into_iter().enumerate() {
-            // Rounding may leave the rate of the uniform mode of an insulated section negative.
-            modes.rates[k] = eigen.eigenvalues[mode].max(0.0);
-            for cell in 0..n {
-                let shape = eigen.eigenvectors[(cell, mode)] / root[cell];
+        for (k, mode) in found.into_iter().enumerate() {
+            modes.rates[k] = mode.rate;
+            for (cell, shape) in mode.shape.into_iter().enumerate() {
                 modes.shapes[cell * width + k] = shape;
-                modes.content[k] += root[cell] * root[cell] * shape;
-                modes.loss[k] += to_air[cell] * shape;
+                modes.content[k] += section.root[cell] * section.root[cell] * shape;
+                modes.loss[k] += section.to_air[cell] * shape;
+            }
+            // Eigenvalues are rounded to the fastest of them. The rate of the mode that holds most of the heat is what it
+            // loses over what it holds, so that the audit closes.
+            if modes.content[k].powi(2) > MOST_OF_THE_HEAT * section.capacity() {
+                modes.rates[k] = modes.loss[k] / modes.content[k];
             }
         }
         Ok(modes)
     }
 
-    /// Number of amplitudes of an element, with the padding.
+    /// Number of amplitudes of a section of which all is read, with the padding.
     pub fn width(&self) -> usize {
         self.rates.len()
+    }
+
+    /// Number of amplitudes of a section of which the middle line and sums are read: the even modes, with
+    /// some odd ones as padding.
+    pub fn even_width(&self) -> usize {
+        self.even.next_multiple_of(LANES)
+    }
+
+    /// Number of amplitudes that hold all even modes slower than `fastest` in 1/s, with the next ones as
+    /// padding.
+    pub fn width_below(&self, fastest: f64) -> usize {
+        let slower = self.rates[..self.even].partition_point(|rate| *rate < fastest);
+        slower.max(1).next_multiple_of(LANES)
     }
 
     /// Number of cells.
@@ -146,6 +150,101 @@ impl Modes {
             add(&mut sum, weight, self.at(cell));
         }
         sum
+    }
+}
+
+/// What is equal on both sides of the middle.
+const EVEN: f64 = 1.0;
+
+/// What is opposite on both sides of the middle.
+const ODD: f64 = -1.0;
+
+/// One mode before its place among the others is known.
+struct Mode {
+    /// λ, 1/s.
+    rate: f64,
+    /// φ of each cell.
+    shape: Vec<f64>,
+}
+
+/// The matrices of theory eq. 9.
+struct Conductances<'c> {
+    cells: &'c Cells,
+    /// Root of the capacity of each cell.
+    root: Vec<f64>,
+    /// Conductance of each link, W/(m·K).
+    links: Vec<f64>,
+    /// Conductance of each cell to the surroundings, W/(m·K).
+    to_air: Vec<f64>,
+}
+
+impl<'c> Conductances<'c> {
+    fn new(cells: &'c Cells, material: &Material, surface: &[f64]) -> Self {
+        let capacity = |area: f64| material.heat_capacity() * area;
+        let mut to_air = vec![0.0; cells.cells.len()];
+        for (facet, conductance) in cells.facets.iter().zip(surface) {
+            to_air[facet.cell] += conductance * facet.length;
+        }
+        Self {
+            root: cells.cells.iter().map(|cell| capacity(cell.area).sqrt()).collect(),
+            links: cells.links.iter().map(|link| material.conductivity * link.ratio).collect(),
+            to_air,
+            cells,
+        }
+    }
+
+    /// Heat capacity of the section, J/(m·K).
+    fn capacity(&self) -> f64 {
+        self.root.iter().map(|root| root * root).sum()
+    }
+
+    /// The even or odd modes, slowest first.
+    fn modes(&self, parity: f64) -> Vec<Mode> {
+        let (unknowns, count) = self.unknowns(parity);
+        if count == 0 {
+            return vec![];
+        }
+        let mut matrix = DMatrix::<f64>::zeros(count, count);
+        for (link, conductance) in self.cells.links.iter().zip(&self.links) {
+            let [(p, a), (q, b)] = link.cells.map(|cell| unknowns[cell]);
+            matrix[(p, p)] += conductance * a * a;
+            matrix[(q, q)] += conductance * b * b;
+            matrix[(p, q)] -= conductance * a * b;
+            matrix[(q, p)] -= conductance * a * b;
+        }
+        for ((p, a), conductance) in unknowns.iter().zip(&self.to_air) {
+            matrix[(*p, *p)] += conductance * a * a;
+        }
+        let eigen = SymmetricEigen::new(matrix);
+        let mode = |(rate, vector): (&f64, DVectorView<'_, f64>)| Mode {
+            // Rounding may leave the rate of the uniform mode of an insulated section negative.
+            rate: rate.max(0.0),
+            shape: unknowns.iter().map(|(p, a)| vector[*p] * a).collect(),
+        };
+        let mut modes: Vec<Mode> =
+            eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).map(mode).collect();
+        modes.sort_by(|a, b| a.rate.total_cmp(&b.rate));
+        modes
+    }
+
+    /// For each cell its unknown and the cell's temperature by it; and the number of unknowns. A pair of
+    /// cells has one; odd temperatures are zero on the middle.
+    fn unknowns(&self, parity: f64) -> (Vec<(usize, f64)>, usize) {
+        let mut unknowns = vec![(0, 0.0); self.root.len()];
+        let mut count = 0;
+        for (cell, &opposite) in self.cells.mirror.iter().enumerate() {
+            let per_root = 1.0 / self.root[cell];
+            if cell < opposite {
+                unknowns[cell] = (count, FRAC_1_SQRT_2 * per_root);
+                unknowns[opposite] = (count, parity * FRAC_1_SQRT_2 * per_root);
+            } else if cell == opposite && parity == EVEN {
+                unknowns[cell] = (count, per_root);
+            } else {
+                continue;
+            }
+            count += 1;
+        }
+        (unknowns, count)
     }
 }
 

@@ -68,7 +68,7 @@ fn wrong_parameters_are_named() {
 fn wrong_parameters_of_the_energy_model_are_named() {
     for (name, value, wanted) in [
         ("section.cell_size", 0.0, "section.cell_size = 0: must be greater than zero"),
-        ("section.cell_size", 0.001, "cells: from 2 to 1500 are possible"),
+        ("section.cell_size", 0.001, "cells: from 2 to 2400 are possible"),
         ("train.floor_height", 5.0, "train.floor_height = 5 and train.roof_height = 3.9"),
         ("site.latitude", 2.0, "site.latitude = 114.59"),
         ("wheel.contact_quality", 2.0, "wheel.contact_quality = 2: must be from 0 to 1"),

@@ -1,62 +1,12 @@
 //! Conduction over the depth.
 
-use std::f64::consts::PI;
-
 use railheat::column::fourier_number;
 use railheat::material::Material;
 use railheat::rail::{Level, Rail};
 use railheat::surface::{Surface, Weather};
 
 use crate::common::{ADIABATIC, exchange, grid};
-
-const LENGTH: f64 = 0.172;
-
-/// V8, slab with insulated ends after an impulse on top: T/T_mix at a depth.
-fn impulse(depth: f64, time: f64) -> f64 {
-    let decay = PI * PI * Material::PAPER.diffusivity() * time / (LENGTH * LENGTH);
-    let term = |n: f64| (n * PI * depth / LENGTH).cos() * (-n * n * decay).exp();
-    1.0 + 2.0 * (1..200).map(|n| term(f64::from(n))).sum::<f64>()
-}
-
-/// V5, slab with insulated foot under a constant flux of 1000 W/m², at a depth.
-fn constant_flux(depth: f64, time: f64) -> f64 {
-    let steel = Material::PAPER;
-    let decay = PI * PI * steel.diffusivity() * time / (LENGTH * LENGTH);
-    let x = LENGTH - depth;
-    let term = |n: i32| {
-        let k = f64::from(n);
-        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
-        sign / (k * k) * (-k * k * decay).exp() * (k * PI * x / LENGTH).cos()
-    };
-    let series = 2.0 / (PI * PI) * (1..400).map(term).sum::<f64>();
-    let parabola = (3.0 * x * x - LENGTH * LENGTH) / (6.0 * LENGTH * LENGTH);
-    1000.0 * time / (steel.heat_capacity() * LENGTH)
-        + 1000.0 * LENGTH / steel.conductivity * (parabola - series)
-}
-
-/// The closed forms of this file give the reference's own values (eight digits there).
-#[test]
-fn analytic_closed_forms_are_those_of_the_reference() {
-    for (time, top, middle, foot) in [
-        (60.0, 3.7229652, 0.989_884_45, 1.3938e-4),
-        (156.0, 2.3088852, 1.3872008, 0.070157935),
-        (600.0, 1.2075623, 1.0946662, 0.79289969),
-    ] {
-        assert!((impulse(0.0, time) - top).abs() < 1e-7);
-        assert!((impulse(0.06, time) - middle).abs() < 1e-7);
-        assert!((impulse(LENGTH, time) - foot).abs() < 1e-8);
-    }
-    for (time, top, middle, foot) in [
-        (60.0, 0.7352916, 0.040117842, 1.1209e-6),
-        (200.0, 1.3424528, 0.34324554, 0.011334995),
-        (1800.0, 4.3948867, 3.1570414, 2.2468281),
-    ] {
-        // The series for the top falls as 1/n² at early times only.
-        assert!((constant_flux(0.0, time) - top).abs() < 1e-6);
-        assert!((constant_flux(0.06, time) - middle).abs() < 1e-7);
-        assert!((constant_flux(LENGTH, time) - foot).abs() < 1e-7);
-    }
-}
+use crate::exact::{SLAB as LENGTH, impulse, slab_under_flux};
 
 /// Response to an impulse on a grid: the temperature of the whole slab when mixed is 1 K.
 /// The step of time follows the cells, s = 0.4.
@@ -126,7 +76,7 @@ fn analytic_slab_constant_flux() {
         for (cell, allowed) in places {
             let depth = grid.depth(cell);
             let found = rail.rise(0, &Level::at_depth(&grid, depth));
-            let exact = constant_flux(depth, time);
+            let exact = slab_under_flux(depth, time);
             println!("{time} s, {depth} m: {found:.7} K, exact {exact:.7} K");
             let error = (found - exact).abs();
             assert!(error < 2e-3 * exact + allowed, "{time} s, {depth} m: {error}");

@@ -2,26 +2,14 @@
 
 use railheat::energy::model::Energy;
 use railheat::energy::parameters::{Line, Parameters, Resolution, Start};
-use railheat::energy::sun::Sun;
 use railheat::energy::weather::{Exchange, Weather};
 use railheat::energy::wheels::WheelHeat;
 use railheat::wheels::Wheel;
 
 use crate::common::SPEED;
-use crate::energy_common::{INSULATED, NIGHT, all_effects, outline, parameters, run, slab, wheel};
-
-/// Weather that changes everything at once: sun from the side, wind, warm air.
-const DAY: Weather = Weather {
-    ambient: 295.0,
-    wind: 2.0,
-    direct: 900.0,
-    diffuse: 120.0,
-    sun: Sun { elevation: 0.8, azimuth: 1.0 },
+use crate::energy_common::{
+    DAY, INSULATED, NIGHT, all_effects, energy, outline, parameters, run, wheel,
 };
-
-fn energy(parameters: Parameters, wheelsets: &[usize], weather: &Weather) -> Energy {
-    Energy::new(parameters, wheelsets, weather, 0.0).unwrap()
-}
 
 /// A wheel's share of the friction heat per metre is ε P/v = 50 J/m, whatever the step, the length of
 /// the elements, the speed and the size of the cells. To rounding: some 1e3 additions.
@@ -92,80 +80,6 @@ fn property_energy_audit() {
     }
 }
 
-/// Leaving out the modes that decay within half a second drops less than 1e-5 of the heat, and 5 s
-/// later changes the foot's rise by less than 0.1 mK a kelvin of mixture rise.
-#[test]
-fn property_fast_modes_do_not_matter_at_the_foot() {
-    let model_of = |shortest: f64| {
-        let exchange = Exchange { convection: 15.0, ..INSULATED };
-        let base = parameters(outline("60E1"), Resolution::Plane, 0.004);
-        let mut model = energy(Parameters { exchange, shortest, ..base }, &[1], &NIGHT);
-        run(&mut model, &NIGHT, |t| vec![wheel(5.0 + SPEED * t)], 0.0, 4, 0.1);
-        model
-    };
-    let (mut all, mut few) = (model_of(0.0), model_of(0.5));
-    assert!(few.modes().count < all.modes().count);
-    let element = 80;
-    println!("{} of {} modes", few.modes().count, all.modes().count);
-    for (from, steps) in [(0.4, 5), (5.4, 195), (200.4, 400)] {
-        for model in [&mut all, &mut few] {
-            run(model, &NIGHT, |_| vec![Wheel::default()], from, steps, 1.0);
-        }
-        let mixture = 50.0 / (7850.0 * 450.0 * 7.748e-3);
-        let difference = (all.excess(element, 2) - few.excess(element, 2)) / mixture;
-        let heat = few.heat_per_metre(element) / all.heat_per_metre(element) - 1.0;
-        println!("{} s: foot {difference:.1e} K per K, heat {heat:.1e}", from + f64::from(steps));
-        assert!(difference.abs() < 1e-4 && heat.abs() < 1e-5);
-    }
-}
-
-/// Round-off at the foot: in the first 5 s after 7 kJ/m (twice what a train leaves on R 800 m) came in, next
-/// to nothing can have arrived (erfc of 10 there), so that what is read is the error. 0.1 mK is wanted.
-#[test]
-fn property_round_off_at_the_foot() {
-    let base = parameters(outline("60E1"), Resolution::Plane, 0.005);
-    let mut model = energy(base, &[1], &NIGHT);
-    let standing = |_| vec![Wheel { speed: 0.0, friction_power: 1400.0, ..wheel(8.05) }];
-    run(&mut model, &NIGHT, standing, 0.0, 1, 1.0);
-    assert!(model.heat_per_metre(80) > 6.9e3);
-    let worst = (0..5).fold(0.0_f64, |worst, second| {
-        run(&mut model, &NIGHT, |_| vec![Wheel::default()], 1.0 + f64::from(second), 1, 1.0);
-        worst.max(model.excess(80, 2).abs())
-    });
-    println!("round-off at the foot {worst:.1e} K");
-    assert!(worst < 1e-9);
-}
-
-/// Discretisation error at the foot for the heat of a train on R = 800 m, 9.75 kJ/m in 156 s, with h = 15: cells
-/// of 8, 5 (the default), 4 and 3 mm against 2.5 mm. The foot has up to 181 mK. What is allowed is what the docs state:
-/// 0.3 mK by default, 0.1 mK with 3 mm.
-#[test]
-fn property_discretisation_error_at_the_foot() {
-    let feet = |cell_size: f64| {
-        let base = parameters(outline("AS60"), Resolution::Plane, cell_size);
-        let exchange = Exchange { convection: 15.0, ..INSULATED };
-        let line = Line { begin: 0.0, element_length: 0.1, elements: 2 };
-        let mut model = energy(Parameters { exchange, line, ..base }, &[1], &NIGHT);
-        // Half of 12.5 W for 156 s in 0.1 m.
-        let standing = |_| vec![Wheel { speed: 0.0, friction_power: 12.5, ..wheel(0.05) }];
-        run(&mut model, &NIGHT, standing, 0.0, 156, 1.0);
-        let mut feet = vec![1e3 * model.excess(0, 2)];
-        for (from, to) in [(156.0, 300.0), (300.0, 600.0), (600.0, 1500.0)] {
-            model.step(&[Wheel::default()], &NIGHT, from, to - from);
-            feet.push(1e3 * model.excess(0, 2));
-        }
-        feet
-    };
-    let fine = feet(0.0025);
-    println!("foot at 156, 300, 600, 1500 s: {fine:.4?} mK");
-    for (cell_size, allowed) in [(0.008, 2.2), (0.005, 0.3), (0.004, 0.15), (0.003, 0.1)] {
-        let found = feet(cell_size);
-        let errors: Vec<f64> = found.iter().zip(&fine).map(|(found, fine)| found - fine).collect();
-        println!("cells of {cell_size} m: errors {errors:.4?} mK");
-        assert!(errors.iter().all(|error| error.abs() < allowed), "{errors:?}");
-    }
-}
-
 /// Reference §4.2, an impulse on a 60E1 rail, divided by the rise when mixed: crown, "60 mm" (which is 61 mm, see
 /// `staircase.rs`), foot, and how far each may be off. The reference used a band of 30 mm on the crown, for which the
 /// contact has a half width of 19 mm here. Three things add up, each measured: its stairs of 2 mm make its values low by
@@ -231,52 +145,6 @@ fn benchmark_section_train() {
             assert!((found / wanted - 1.0).abs() < allowed, "{found} against {wanted}");
         }
     }
-}
-
-/// V8 on a slab of one column: the impulse's response at 156 and 600 s. The heat is spread over
-/// the uppermost cell, and read in the middle of cells: order 2 in their size.
-#[test]
-fn analytic_column_slab_impulse() {
-    for (time, deep, foot) in [(156.0, 1.3872008, 0.070157935), (600.0, 1.0946662, 0.79289969)] {
-        let errors = [43.0, 86.0, 172.0].map(|cells| {
-            let size = 0.172 / cells;
-            let base = parameters(slab(), Resolution::Column, size);
-            // A tenth of a second, so that it is an impulse.
-            let mut model = energy(Parameters { interval: 0.02, ..base }, &[1], &NIGHT);
-            let standing = vec![Wheel { speed: 0.0, friction_power: 1e5, ..wheel(8.05) }];
-            model.step(&standing, &NIGHT, 0.0, 0.02);
-            model.step(&[Wheel::default()], &NIGHT, 0.02, time - 0.01);
-            let mixture = 5e4 * 0.02 / 0.1 / (7850.0 * 450.0 * 6.88e-3);
-            [model.excess(80, 1) / mixture / deep - 1.0, model.excess(80, 2) / mixture / foot - 1.0]
-        });
-        for place in 0..2 {
-            let orders = [0, 1].map(|i| (errors[i][place] / errors[i + 1][place]).log2());
-            println!("{time} s: errors {:?}, orders {orders:.2?}", errors.map(|e| e[place]));
-            assert!(errors[2][place].abs() < 1e-3);
-            assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.3), "{orders:?}");
-        }
-    }
-}
-
-/// Spreading the heat over the conduction interval is of second order in its length: with the wheel in
-/// the middle of intervals of 16, 16/3 and 16/9 s, each third of the length leaves a ninth of the
-/// error, against intervals of 16/81 s. The foot 100 s after the wheel.
-#[test]
-fn property_second_order_in_the_interval() {
-    let foot = |interval: f64| {
-        let base = parameters(outline("60E1"), Resolution::Plane, 0.012);
-        let mut model = energy(Parameters { interval, ..base }, &[1], &NIGHT);
-        let at = |time: f64| vec![wheel(8.05 + (time - 8.0))];
-        run(&mut model, &NIGHT, at, 0.0, 160, 0.1);
-        run(&mut model, &NIGHT, |_| vec![Wheel::default()], 16.0, 3, 32.0);
-        model.excess(80, 2)
-    };
-    let exact = foot(16.0 / 81.0);
-    let errors = [16.0, 16.0 / 3.0, 16.0 / 9.0].map(|interval| foot(interval) / exact - 1.0);
-    println!("errors {errors:?}");
-    let orders = [0, 1].map(|i| (errors[i] / errors[i + 1]).ln() / 3_f64.ln());
-    println!("orders {orders:.2?}");
-    assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.2), "{orders:?}");
 }
 
 /// A train that comes a second time leaves the same heat where it passes and none on its way back:

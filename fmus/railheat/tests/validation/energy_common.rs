@@ -13,12 +13,15 @@ use railheat::wheels::Wheel;
 use crate::common::SPEED;
 
 /// Air of 300 K, no wind, no sun.
-pub const NIGHT: Weather = Weather {
-    ambient: 300.0,
-    wind: 0.0,
-    direct: 0.0,
-    diffuse: 0.0,
-    sun: Sun { elevation: 0.0, azimuth: 0.0 },
+pub const NIGHT: Weather = Weather::still(300.0);
+
+/// Weather that changes everything at once: sun from the side, wind, warm air.
+pub const DAY: Weather = Weather {
+    ambient: 295.0,
+    wind: 2.0,
+    direct: 900.0,
+    diffuse: 120.0,
+    sun: Sun { elevation: 0.8, azimuth: 1.0 },
 };
 
 /// Exchanges nothing.
@@ -89,6 +92,11 @@ pub fn wheel(position: f64) -> Wheel {
         friction_power: 100.0 * SPEED,
         ..Wheel::default()
     }
+}
+
+/// The model from the time zero on.
+pub fn energy(parameters: Parameters, wheelsets: &[usize], weather: &Weather) -> Energy {
+    Energy::new(parameters, wheelsets, weather, 0.0).unwrap()
 }
 
 /// Runs one vehicle whose wheels are `at` the end of each step.

@@ -85,7 +85,7 @@ impl Staircase {
 fn of_modes(outline: &Outline, size: f64, depths: [f64; 3], time: f64) -> [f64; 3] {
     let cells = Cells::grid(outline, size);
     let insulated = vec![0.0; cells.facets.len()];
-    let modes = Modes::new(&cells, &Material::PAPER, &insulated, 0.0, size).unwrap();
+    let modes = Modes::new(&cells, &Material::PAPER, &insulated, size).unwrap();
     let on_band = |facet: &&railheat::section::Facet| {
         facet.normal.z < 0.0 && facet.middle().y.abs() < 0.015 && facet.middle().z < 0.016
     };
