@@ -104,22 +104,20 @@ fn a_run_goes_on_without_the_field_if_the_scenario_wants_it() {
         for table in ["train", "vehicles", "wheels", "rail"] {
             assert_eq!(last_time_of(table, &scenario), RUN, "{table}");
         }
-        let field = results.join("rail.zarr");
-        assert_eq!(field.exists(), snapshots.is_some(), "half a store is none");
-        if let Some(snapshots) = snapshots {
-            assert_eq!(FieldReader::open(&field).unwrap().times().len(), snapshots);
-        }
+        let field = FieldReader::open(&results.join("rail.zarr"));
+        assert_eq!(field.ok().map(|field| field.times().len()), snapshots, "half a store is none");
     }
 }
 
-/// A field that is taken away stops the run too, and is not begun again in halves.
+/// A field that is taken away stops the run too; what a snapshot may have left there, if it was just being written,
+/// does not pass for a field.
 #[test]
 fn a_field_that_is_taken_away_stops_the_run() {
     let scenario = scenario("stop");
     let output = run_and(&scenario, take_away);
     let said = String::from_utf8_lossy(&output.stderr).replace('\n', " ");
     assert!(!output.status.success() && said.contains("is no longer there"), "{said}");
-    assert!(!scenario.results().join("rail.zarr").exists());
-    assert!(FieldReader::open(&scenario.results().join("elsewhere")).unwrap().times().len() > 1);
+    assert!(FieldReader::open(&scenario.results().join("rail.zarr")).is_err());
+    assert!(!FieldReader::open(&scenario.results().join("elsewhere")).unwrap().times().is_empty());
     assert!(last_time_of("rail", &scenario) > 0.9);
 }

@@ -33,6 +33,9 @@ const EXPECTED: [(&str, f64); 4] = [
     ("heat.friction.mean_of_the_modelled_rail", 0.01),
 ];
 
+/// The figure of a rail's energy audit, and the most that its error may be of the heat that wheels put in.
+const AUDIT: (&str, f64) = ("energy.audit", 1e-9);
+
 /// Runs all scenarios into `results`.
 pub fn run_all(results: &Path) -> Result<()> {
     for (name, ..) in CASES {
@@ -46,7 +49,7 @@ pub fn run_all(results: &Path) -> Result<()> {
 pub fn table(results: &Path) -> Result<String> {
     let mut text = String::from(
         "| case | rail | heat, kJ/m: friction / chill / bending | camera on the train | camera at the track \
-         side | at, after the train | first over 15 mK |\n|---|---|---|---|---|---|---|\n",
+         side | at, after the train | first over 15 mK | audit |\n|---|---|---|---|---|---|---|---|\n",
     );
     for (name, words, probe) in CASES {
         let manifest = manifest(&results.join(name))?;
@@ -66,13 +69,14 @@ pub fn table(results: &Path) -> Result<String> {
             let after = after.split(" after").next().unwrap_or_default().to_owned();
             writeln!(
                 text,
-                "| {words} | {side} | {:.2} / {:.2} / {:.2} | {} | {} | {after} | {} |",
+                "| {words} | {side} | {:.2} / {:.2} / {:.2} | {} | {} | {after} | {} | {} |",
                 heat("friction")?,
                 heat("chill")?,
                 heat("bending")?,
                 said("camera.train", "text")?,
                 said("camera.track_side", "text")?,
                 said("foot.detection", "text")?,
+                said(AUDIT.0, "text")?,
             )?;
         }
     }
@@ -98,6 +102,13 @@ pub fn write_expected(results: &Path) -> Result<()> {
                 }
                 writeln!(text, "source = \"this project's own run at {}\"", commit.trim())?;
             }
+            let (key, most) = AUDIT;
+            figure(&manifest, &format!("{side}.{key}"))?;
+            writeln!(
+                text,
+                "\n[[figure]]\nkey = \"{side}.{key}\"\nvalue = 0.0\ntolerance = {most:?}"
+            )?;
+            writeln!(text, "source = \"issue 5: the audit closes to 1e-9 of the heat put in\"")?;
         }
         let file = format!("{FOLDER}/expected/{name}.toml");
         std::fs::create_dir_all(format!("{FOLDER}/expected")).context(FOLDER)?;

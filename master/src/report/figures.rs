@@ -150,6 +150,9 @@ fn vehicle_figure(
     Ok(Figure { title: title.into(), caption: caption.into(), panels })
 }
 
+/// A threshold is drawn where it is less than so many times the highest value: beyond, the curve would be flat.
+const NEAR: f64 = 20.0;
+
 /// Rise of the foot over untouched rail: along the track over the whole time, and under the last
 /// wheel while the train runs; none if no rail's model tells it.
 pub(super) fn foot(rails: &[RailData], facts: &RailFacts) -> Result<Option<Figure>, ReportError> {
@@ -160,6 +163,8 @@ pub(super) fn foot(rails: &[RailData], facts: &RailFacts) -> Result<Option<Figur
     let panel = |name, quantity: &dyn Fn(&Foot) -> Vec<f64>, count: usize, unit: (&str, f64)| {
         let curves: Vec<Curve> =
             feet.iter().map(|(_, foot)| Curve::plain(quantity(foot)[..count].to_vec())).collect();
+        let highest = curves.iter().flat_map(|curve| &curve.value).fold(0.0_f64, |a, b| a.max(*b));
+        let is_near = facts.detection_threshold_k < NEAR * highest;
         let places: Vec<f64> = first.time[..count].iter().map(|time| time / unit.1).collect();
         let chart = LineChart {
             title: "Rise of the foot",
@@ -168,18 +173,20 @@ pub(super) fn foot(rails: &[RailData], facts: &RailFacts) -> Result<Option<Figur
             quantity: "Rise",
             unit: "K",
             height: 460,
-            curves: curves.iter().chain([&threshold]).collect(),
+            curves: curves.iter().chain(is_near.then_some(&threshold)).collect(),
             first_colour: 0,
             steps: false,
         };
         let labels = feet.iter().map(|(side, _)| format!("{side} rail"));
-        let labels = labels.chain(["threshold of detection".to_owned()]);
+        let labels = labels.chain(is_near.then(|| "threshold of detection".to_owned()));
         Ok::<_, ReportError>(Panel { name, legend: legend(labels, 0), svg: chart.svg()? })
     };
     let run = first.time.partition_point(|&time| time <= facts.last_train_end_s + 1e-9);
     Ok(Some(Figure {
         title: "Rise of the foot".into(),
-        caption: "Rise over rail that no wheel has touched, at the same time.".into(),
+        caption: "Rise over rail that no wheel has touched, at the same time. The threshold of detection is drawn \
+                  where it is less than twenty times the highest rise."
+            .into(),
         panels: vec![
             panel(
                 "Highest along the track",

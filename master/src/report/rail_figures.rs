@@ -38,6 +38,7 @@ pub(super) fn of_run(folder: &Path, facts: &RailFacts) -> Result<Vec<RailData>, 
         if let Some(foot) = &foot {
             figures.extend(series.answer(facts, foot)?);
         }
+        figures.extend(series.audit()?);
         Ok(RailData {
             side: side.clone(),
             figures,
@@ -133,6 +134,24 @@ impl RailSeries<'_> {
             )?,
             self.track_side(facts, foot)?,
         ])
+    }
+
+    /// The error of the energy audit over the heat that wheels put in, if the model tells it.
+    fn audit(&self) -> Result<Option<MainFigure>, RecordingError> {
+        if !self.has("energy.error") {
+            return Ok(None);
+        }
+        let mut put_in = 0.0;
+        for (source, _) in SOURCES.iter().filter(|(source, _)| *source != "weather") {
+            put_in += self.last(&format!("energy.{source}"))?.abs();
+        }
+        let error = self.last("energy.error")?.abs() / put_in;
+        if !error.is_finite() {
+            return Ok(None);
+        }
+        let name = "Energy audit: error over the heat that wheels put in";
+        let figure = self.figure("energy.audit", name, error, "1");
+        Ok(Some(MainFigure { text: format!("{error:.0e}"), ..figure }))
     }
 
     /// When and where the foot first passes the threshold of detection.
