@@ -4,7 +4,10 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::sync::Arc;
 
+use fmu::Instance;
+use hotfoot_tests::resources;
 use track::{Irregularity, Support, Track};
+use vehicle::Vehicle;
 use vehicle::dynamics::Dynamics;
 use vehicle::inputs::Inputs;
 use vehicle::line::Line;
@@ -66,4 +69,32 @@ fn property_a_step_allocates_nothing() {
         let allocated = COUNT.with(Cell::get) - before;
         assert_eq!(allocated, 0, "{name}");
     }
+}
+
+/// Nor does what the FMU does around it: inputs, checks, outputs.
+#[test]
+fn property_a_step_of_the_fmu_allocates_nothing() {
+    let folder = resources("vehicle");
+    std::fs::write(folder.path().join("track.toml"), TRACK).unwrap();
+    let mut instance = Instance::<Vehicle>::new(folder.path(), "v", Box::new(|_, _| {})).unwrap();
+    let variables = instance.declaration().variables();
+    let reference =
+        |name: &str| variables.iter().find(|variable| variable.name == name).unwrap().reference;
+    let starts = ["initial.position", "initial.velocity"].map(reference);
+    let inputs = ["traction.force", "friction.coefficient"].map(reference);
+    let outputs = ["position", "wheelset[1].left.friction_power"].map(reference);
+    instance.set_real(&starts, [1000.0, 15.0]).unwrap();
+    instance.setup_experiment(0.0, None).unwrap();
+    instance.enter_initialization_mode().unwrap();
+    instance.exit_initialization_mode().unwrap();
+    let mut before = 0;
+    for step in 0..100 {
+        if step == 1 {
+            before = COUNT.with(Cell::get);
+        }
+        instance.set_real(&inputs, [50e3, 0.36]).unwrap();
+        instance.do_step(f64::from(step) * 1e-3, 1e-3).unwrap();
+        assert!(instance.get_real(&outputs).unwrap().all(f64::is_finite));
+    }
+    assert_eq!(COUNT.with(Cell::get) - before, 0);
 }

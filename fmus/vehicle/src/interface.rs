@@ -209,13 +209,13 @@ fn finite(name: &str, value: f64) -> Result<f64, ModelError> {
 }
 
 fn within(name: &str, value: f64, low: f64, high: f64) -> Result<f64, ModelError> {
+    if (low..=high).contains(&value) {
+        return Ok(value);
+    }
     let wanted = match (low == -f64::MAX, high == f64::MAX) {
         (true, _) => "must be a finite number".to_owned(),
         (_, true) => format!("must be a finite number not below {low}"),
         _ => format!("must lie between {low} and {high}"),
     };
-    match (low..=high).contains(&value) {
-        true => Ok(value),
-        false => Err(ModelError::new(format!("{name} = {value}: {wanted}"))),
-    }
+    Err(ModelError::new(format!("{name} = {value}: {wanted}")))
 }
