@@ -145,20 +145,51 @@ impl Piece {
     /// What holds `s` after the beginning of the piece: the integrals of cubic functions.
     #[inline]
     pub(crate) fn at(&self, s: f64) -> TrackPoint {
-        let (k, g) = (&self.curvature, &self.gradient);
+        let curvature = Cubic::at(&self.curvature, s);
+        let cant_angle = Cubic::at(&self.cant_angle, s);
+        let gradient = Cubic::at(&self.gradient, s);
         TrackPoint {
-            curvature: value(k, s),
-            curvature_slope: slope(k, s),
-            heading: self.heading + integral(k, s),
-            heading_integral: self.heading_integral + s * self.heading + double_integral(k, s),
-            cant_angle: value(&self.cant_angle, s),
-            cant_angle_slope: slope(&self.cant_angle, s),
-            gradient: value(g, s),
-            gradient_slope: slope(g, s),
-            elevation: self.elevation + integral(g, s),
+            curvature: curvature.value,
+            curvature_slope: curvature.slope,
+            heading: self.heading + curvature.integral,
+            heading_integral: self.heading_integral + s * self.heading + curvature.double_integral,
+            cant_angle: cant_angle.value,
+            cant_angle_slope: cant_angle.slope,
+            gradient: gradient.value,
+            gradient_slope: gradient.slope,
+            elevation: self.elevation + gradient.integral,
             elevation_integral: self.elevation_integral
                 + s * self.elevation
-                + double_integral(g, s),
+                + gradient.double_integral,
+        }
+    }
+}
+
+/// A cubic at one place, and its integrals from 0 to there.
+struct Cubic {
+    value: f64,
+    slope: f64,
+    integral: f64,
+    double_integral: f64,
+}
+
+impl Cubic {
+    /// The cubic with the coefficients `c` at `s`. Most of a track is straight, level or of one radius,
+    /// and costs no polynomial.
+    #[inline]
+    fn at(c: &[f64; 4], s: f64) -> Self {
+        if c[1..] == [0.0; 3] {
+            let integral = s * c[0];
+            return Self { value: c[0], slope: 0.0, integral, double_integral: 0.5 * s * integral };
+        }
+        let (half, sixth, twelfth, twentieth) = (0.5, 1.0 / 6.0, 1.0 / 12.0, 1.0 / 20.0);
+        let twice =
+            half * c[0] + s * (sixth * c[1] + s * (twelfth * c[2] + s * (twentieth * c[3])));
+        Self {
+            value: value(c, s),
+            slope: c[1] + s * (2.0 * c[2] + s * 3.0 * c[3]),
+            integral: integral(c, s),
+            double_integral: s * s * twice,
         }
     }
 }
@@ -169,20 +200,8 @@ fn value(c: &[f64; 4], s: f64) -> f64 {
     c[0] + s * (c[1] + s * (c[2] + s * c[3]))
 }
 
-#[inline]
-fn slope(c: &[f64; 4], s: f64) -> f64 {
-    c[1] + s * (2.0 * c[2] + s * 3.0 * c[3])
-}
-
 /// Its integral from 0 to `s`.
 #[inline]
 fn integral(c: &[f64; 4], s: f64) -> f64 {
     s * (c[0] + s * (c[1] / 2.0 + s * (c[2] * (1.0 / 3.0) + s * c[3] / 4.0)))
-}
-
-/// The integral of that integral.
-#[inline]
-fn double_integral(c: &[f64; 4], s: f64) -> f64 {
-    let (half, sixth, twelfth, twentieth) = (0.5, 1.0 / 6.0, 1.0 / 12.0, 1.0 / 20.0);
-    s * s * (half * c[0] + s * (sixth * c[1] + s * (twelfth * c[2] + s * (twentieth * c[3]))))
 }
