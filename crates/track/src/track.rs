@@ -178,9 +178,9 @@ impl Cubic {
     /// and costs no polynomial.
     #[inline]
     fn at(c: &[f64; 4], s: f64) -> Self {
-        if c[1..] == [0.0; 3] {
-            let integral = s * c[0];
-            return Self { value: c[0], slope: 0.0, integral, double_integral: 0.5 * s * integral };
+        if let [value, 0.0, 0.0, 0.0] = *c {
+            let integral = s * value;
+            return Self { value, slope: 0.0, integral, double_integral: 0.5 * s * integral };
         }
         let (half, sixth, twelfth, twentieth) = (0.5, 1.0 / 6.0, 1.0 / 12.0, 1.0 / 20.0);
         let twice =
