@@ -7,7 +7,6 @@
 
 use std::sync::Arc;
 
-use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use crate::body::{BodyState, Seen, Wrench};
@@ -66,8 +65,8 @@ pub struct Dynamics {
     step: f64,
     placements: Vec<Placement>,
     seen: Vec<Seen>,
-    wrenches: Vec<Wrench>,
-    track_index: usize,
+    pub(crate) wrenches: Vec<Wrench>,
+    pub(crate) track_index: usize,
 }
 
 impl Dynamics {
@@ -228,7 +227,7 @@ impl Dynamics {
     /// Changes the velocities by the forces of a step.
     pub(crate) fn kick(&mut self, step: f64, inputs: &Inputs) {
         self.suspend(step);
-        self.add_outer_forces(inputs, step);
+        self.add_outer_forces(inputs);
         let before = self.velocity();
         self.roll(step, inputs);
         for (i, body) in self.structure.bodies.iter().enumerate() {
@@ -261,6 +260,7 @@ impl Dynamics {
             step,
             &mut self.wrenches,
         );
+        self.state.account.suspension_heat += step * self.elements.dissipated;
         for (i, body) in structure.bodies.iter().enumerate() {
             let (wrench, placement) = (&mut self.wrenches[i], &self.placements[i]);
             let own = self.state.bodies[i].frame_forces(body, &self.frames[i]);
@@ -271,32 +271,6 @@ impl Dynamics {
                 wrench.moment.y = own.moment.y;
             }
         }
-    }
-
-    /// Couplers, resistance and synchronisation on the first body. A coupler pulls along the track
-    /// where it is, which is towards the inside of a curve (eq. 26).
-    fn add_outer_forces(&mut self, inputs: &Inputs, step: f64) {
-        let wrench = &mut self.wrenches[0];
-        wrench.force.x += inputs.resistance + inputs.synchronisation;
-        self.state.account.suspension_heat += step * self.elements.dissipated;
-        for (i, force) in self.coupler_forces(inputs).into_iter().enumerate() {
-            self.wrenches[0].add(&force, &self.structure.couplers[i]);
-        }
-    }
-
-    /// Forces of front and rear coupler in the first body's frame.
-    fn coupler_forces(&mut self, inputs: &Inputs) -> [Vector3<f64>; 2] {
-        let pulls = [inputs.front_coupler, -inputs.rear_coupler];
-        let here = self.state.bodies[0].position.x;
-        [0, 1].map(|i| {
-            if pulls[i] == 0.0 {
-                return Vector3::zeros();
-            }
-            let ahead = self.structure.couplers[i].x;
-            let there = Frame::new(self.line.track.at(here + ahead, &mut self.track_index));
-            let turn = self.frames[0].placement(&there, ahead).turn;
-            pulls[i] * Vector3::new(1.0, turn.z, -turn.y)
-        })
     }
 
     /// The wheelsets, and the reaction of their drives.
@@ -324,19 +298,5 @@ impl Dynamics {
             let brake = wheelset.run(body, &mut self.wheels[i], &mut state.account);
             self.wrenches[data.frame].moment.y -= drive.torque + brake;
         }
-    }
-
-    fn account_outer_forces(&mut self, inputs: &Inputs, step: f64, before: f64) {
-        let way = 0.5 * step * (before + self.velocity());
-        let turned = step * self.state.bodies[0].angular_velocity;
-        let moved = step * self.state.bodies[0].velocity;
-        let mut couplers = 0.0;
-        for (i, force) in self.coupler_forces(inputs).iter().enumerate() {
-            couplers += force.dot(&(moved + turned.cross(&self.structure.couplers[i])));
-        }
-        let account = &mut self.state.account;
-        account.couplers += couplers;
-        account.resistance += way * inputs.resistance;
-        account.synchronisation += way * inputs.synchronisation;
     }
 }

@@ -14,7 +14,7 @@
 //! | `wheelset.rs` | a wheelset's step with its contact forces |
 //! | `wheel_output.rs` | what a wheel does to its rail at the end of a step |
 //! | `drive.rs` | traction and brake of a wheelset |
-//! | `dynamics.rs` | the vehicle in motion: state and step |
+//! | `dynamics.rs`, `outer_forces.rs` | the vehicle in motion: state and step; forces of couplers and train |
 //! | `equilibrium.rs` | the start in equilibrium |
 //! | `statics.rs`, `linear/` | static load of the springs; the vehicle linearised |
 //! | `energy.rs`, `inputs.rs`, `six.rs` | energy account; forces from outside; algebra |
@@ -34,6 +34,7 @@ pub mod inputs;
 mod interface;
 pub mod line;
 pub mod linear;
+mod outer_forces;
 pub mod patch;
 pub mod rail;
 pub mod rows;

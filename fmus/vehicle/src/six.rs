@@ -56,11 +56,12 @@ pub fn solve(matrix: &mut SixBySix, right: &mut Six) {
     let mut inverse = [0.0; 6];
     for j in 0..6 {
         // Below the diagonal, column j keeps L D.
-        inverse[j] = 1.0 / matrix[j][j];
+        let column: Six = std::array::from_fn(|i| matrix[i][j]);
+        inverse[j] = 1.0 / column[j];
         for i in j + 1..6 {
-            let factor = matrix[i][j] * inverse[j];
+            let factor = column[i] * inverse[j];
             for k in j + 1..=i {
-                matrix[i][k] -= factor * matrix[k][j];
+                matrix[i][k] -= factor * column[k];
             }
             right[i] -= factor * right[j];
         }
