@@ -56,14 +56,13 @@ pub fn solve(matrix: &mut SixBySix, right: &mut Six) {
     let mut inverse = [0.0; 6];
     for j in 0..6 {
         // Below the diagonal, column j keeps L D.
-        let column: Six = std::array::from_fn(|i| matrix[i][j]);
-        inverse[j] = 1.0 / column[j];
-        for i in j + 1..6 {
-            let factor = column[i] * inverse[j];
-            for k in j + 1..=i {
-                matrix[i][k] -= factor * column[k];
+        inverse[j] = 1.0 / matrix[j][j];
+        for k in j + 1..6 {
+            let factor = matrix[k][j] * inverse[j];
+            right[k] -= factor * right[j];
+            for row in &mut matrix[k..] {
+                row[k] -= factor * row[j];
             }
-            right[i] -= factor * right[j];
         }
     }
     for i in (0..6).rev() {
