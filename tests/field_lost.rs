@@ -19,27 +19,23 @@ const LOST: usize = 20;
 
 /// Two vehicles on a rail of 60 m whose field is written every second.
 fn scenario(failure: &str) -> SmallScenario {
-    let mut scenario = SmallScenario::new(RUN);
-    scenario.text = scenario.text.replace("count = 4", "count = 1");
-    let heat = scenario.text.find("[heat]").unwrap();
-    scenario.text.truncate(heat);
-    scenario.text += &format!(
-        "[heat]\nmodel = \"energy\"\nstep_s = 0.02\nbegin_m = 0.0\nlength_m = 60.0\n\
-         field_interval_s = 1.0\nfield_failure = \"{failure}\"\n\
-         [heat.parameters]\n\"section.cell_size\" = 0.012\n"
-    );
-    scenario
+    let keys = format!("field_interval_s = 1.0\nfield_failure = \"{failure}\"");
+    SmallScenario::heating_a_short_rail(RUN, &keys, "")
 }
 
-/// Runs a scenario, and does something to its field once it has begun.
+/// Runs a scenario, and does something to its field between two snapshots, once it has some.
 fn run_and(scenario: &SmallScenario, interfere: impl FnOnce(&Path)) -> Output {
     let field = scenario.results().join("rail.zarr");
     thread::scope(|scope| {
         let run = scope.spawn(|| scenario.run(&[]));
-        while !field.join("temperature_rise/c/1").exists() {
+        // The times of a snapshot are written after it: while it is written it has none.
+        let snapshots = || FieldReader::open(&field).map_or(0, |field| field.times().len());
+        while snapshots() < 2 {
             assert!(!run.is_finished(), "the run ended before its field had begun");
             thread::sleep(Duration::from_millis(1));
         }
+        // The last file of a snapshot follows its times at once; the next snapshot is some 50 ms away.
+        thread::sleep(Duration::from_millis(5));
         interfere(&field);
         run.join().unwrap()
     })
