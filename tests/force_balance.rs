@@ -24,8 +24,7 @@ fn analytic_creep_forces_carry_traction_and_the_coupler_the_wagons() {
     scenario.track = "alignment = [{ length_m = 3000.0 }]\n".to_owned();
     scenario.driver = "[[command]]\nfrom_s = 0.0\nnotch = 5.0\n".to_owned();
     scenario.text = scenario.text.replace("count = 4", &format!("count = {WAGONS}"));
-    let heat = scenario.text.find("[heat]").unwrap();
-    scenario.text.truncate(heat);
+    scenario.leave_out_heat();
     scenario.run_well(&[]);
     let vehicles = SeriesReader::open(&scenario.results().join("series"), "vehicles").unwrap();
     let locomotive = |column| late_mean(&vehicles, column, 1);

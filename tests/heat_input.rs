@@ -17,8 +17,7 @@ fn rail_file(corners: &str) -> String {
 /// What the program says to a scenario with these keys of `[heat]` and `[heat.parameters]` and this file.
 fn refusal(keys: &str, parameters: &str, (name, content): (&str, &str)) -> String {
     let mut scenario = SmallScenario::new(2.0);
-    let heat = scenario.text.find("[heat]").unwrap();
-    scenario.text.truncate(heat);
+    scenario.leave_out_heat();
     scenario.text += &format!(
         "[heat]\nmodel = \"energy\"\nbegin_m = 0.0\nlength_m = 60.0\n{keys}\n[heat.parameters]\n{parameters}\n"
     );

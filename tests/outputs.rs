@@ -7,8 +7,7 @@ use hotfoot_tests::SmallScenario;
 fn scenario(outputs: &str) -> SmallScenario {
     let mut scenario = SmallScenario::new(0.2);
     scenario.text = scenario.text.replace("count = 4", "count = 1");
-    let heat = scenario.text.find("[heat]").unwrap();
-    scenario.text.truncate(heat);
+    scenario.leave_out_heat();
     scenario.text += &format!("[record]\nwheels_of = [1, 2]\noutputs = [{outputs}]\n");
     scenario
 }

@@ -9,16 +9,8 @@ const RUN: f64 = 8.0;
 
 /// Two vehicles that pass a probe 30 m ahead on a rail of 60 m, in the energy model.
 fn scenario(keys: &str, parameters: &str) -> SmallScenario {
-    let mut scenario = SmallScenario::new(RUN);
-    scenario.text = scenario.text.replace("count = 4", "count = 1");
-    let heat = scenario.text.find("[heat]").unwrap();
-    scenario.text.truncate(heat);
-    scenario.text += &format!(
-        "[heat]\nmodel = \"energy\"\nstep_s = 0.02\nbegin_m = 0.0\nlength_m = 60.0\n\
-         field_interval_s = 2.0\nprobe = [{{ chainage_m = 30.0 }}]\n{keys}\n\
-         [heat.parameters]\n\"section.cell_size\" = 0.012\n{parameters}\n"
-    );
-    scenario
+    let keys = format!("field_interval_s = 2.0\nprobe = [{{ chainage_m = 30.0 }}]\n{keys}");
+    SmallScenario::heating_a_short_rail(RUN, &keys, parameters)
 }
 
 /// The rows of one rail.

@@ -8,8 +8,7 @@ use hotfoot_tests::SmallScenario;
 fn errors(kp_kn_per_m: f64) -> Vec<f64> {
     let mut scenario = SmallScenario::new(60.0);
     scenario.track = "alignment = [{ length_m = 3000.0 }]\n".to_owned();
-    let heat = scenario.text.find("[heat]").unwrap();
-    scenario.text.truncate(heat);
+    scenario.leave_out_heat();
     scenario.text += &format!("[synchronisation]\nkp_kn_per_m = {kp_kn_per_m:?}\n");
     scenario.run_well(&[]);
     let vehicles = SeriesReader::open(&scenario.results().join("series"), "vehicles").unwrap();

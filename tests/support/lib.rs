@@ -76,6 +76,31 @@ impl SmallScenario {
         }
     }
 
+    /// Its locomotive and one wagon on a rail of 60 m that conserves heat, with further `keys` of the
+    /// section `[heat]` and `parameters` of the rail, for `duration` seconds.
+    ///
+    /// # Panics
+    /// As [`Self::new`].
+    pub fn heating_a_short_rail(duration: f64, keys: &str, parameters: &str) -> Self {
+        let mut scenario = Self::new(duration);
+        scenario.text = scenario.text.replace("count = 4", "count = 1");
+        scenario.leave_out_heat();
+        scenario.text += &format!(
+            "[heat]\nmodel = \"energy\"\nstep_s = 0.02\nbegin_m = 0.0\nlength_m = 60.0\n{keys}\n\
+             [heat.parameters]\n\"section.cell_size\" = 0.012\n{parameters}\n"
+        );
+        scenario
+    }
+
+    /// Cuts the text off where its last sections, those of the rail's heat, begin.
+    ///
+    /// # Panics
+    /// When the scenario heats no rail.
+    pub fn leave_out_heat(&mut self) {
+        let heat = self.text.find("[heat]").expect("the scenario heats a rail");
+        self.text.truncate(heat);
+    }
+
     /// Writes the files and runs the scenario with further arguments; the results are in
     /// [`Self::results`].
     ///

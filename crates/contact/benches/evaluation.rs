@@ -17,7 +17,10 @@ fn evaluation(c: &mut Criterion) {
     c.bench_function("contact search: one patch from the table", |b| {
         b.iter(|| Some(table.patch(0, table.row(black_box(0.00213)), black_box(1e-6))?.point()))
     });
-    c.bench_function("loaded patch", |b| b.iter(|| black_box(&point).patch(black_box(110e3))));
+    let approach = point.hertz.approach(110e3);
+    c.bench_function("loaded patch", |b| {
+        b.iter(|| black_box(&point).pressed(black_box(approach), black_box(110e3)))
+    });
     let friction = FallingFriction::constant(0.3);
     let reduction = Reduction::EUROSPRINTER;
     for (name, law) in [
