@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use fmu::Instance;
 use hotfoot_tests::resources;
-use track::{Irregularity, Support, Track};
+use track::{Friction, Irregularity, Support, Track};
 use vehicle::Vehicle;
 use vehicle::dynamics::Dynamics;
 use vehicle::inputs::Inputs;
@@ -40,6 +40,7 @@ static ALLOCATOR: Counting = Counting;
 
 const TRACK: &str = "
     alignment = [{ length_m = 1e4, radius_m = 800.0, cant_mm = 40.0 }]
+    friction = [{ chainage_m = 0.0, factor = 0.9 }, { chainage_m = 1001.0, factor = 0.8 }]
     [irregularity]
     spectrum = { quality = 'erri-low', seed = 1, begin_m = 900.0, length_m = 200.0 }
     [support]
@@ -57,6 +58,7 @@ fn property_a_step_allocates_nothing() {
             track: Track::from_toml(TRACK, "t").unwrap(),
             irregularity: Irregularity::from_toml(TRACK, "t").unwrap(),
             support: Support::from_toml(TRACK, "t").unwrap(),
+            friction: Friction::from_toml(TRACK, "t").unwrap(),
         };
         let mut vehicle = Dynamics::new(structure, Arc::new(line));
         let inputs = Inputs { traction: 50e3, rear_coupler: 50e3, ..Inputs::none(0.36) };

@@ -65,3 +65,34 @@ fn analytic_measured_irregularities_reach_the_vehicle() {
     let text = String::from_utf8_lossy(&output.stderr);
     assert!(text.contains(&*file.display().to_string()) && text.contains("line 2"), "{text}");
 }
+
+/// Mean creepage of the locomotive's first wheel with more lines in the scenario and in the track file.
+fn creepage(fmus: &str, track: &str) -> f64 {
+    let mut scenario = scenario("\"wheelset[1].left.creepage.longitudinal\"");
+    scenario.text += fmus;
+    scenario.track += track;
+    scenario.run_well(&[]);
+    let name = "wheelset[1].left.creepage.longitudinal_mean";
+    *outputs(&scenario).read(name, &[("vehicle", KeyValue::Integer(1))]).unwrap().last().unwrap()
+}
+
+/// Rails with half of the friction, and the locomotive's own FMU with half of its file's 0.36, are the same;
+/// the wheel creeps more than on dry rails.
+#[test]
+fn property_friction_of_track_and_vehicle_reaches_the_wheels() {
+    let dry = creepage("", "");
+    let wet = creepage("", "friction = [{ chainage_m = 0.0, factor = 0.5 }]\n");
+    let parameters = "parameters = { \"friction.coefficient\" = 0.18 }";
+    let slippery = creepage(&format!("[fmus]\nvehicle_at = [{{ place = 1, {parameters} }}]\n"), "");
+    assert!(wet > 1.05 * dry, "{wet}, dry {dry}");
+    assert_eq!(wet, slippery);
+}
+
+#[test]
+fn names_without_an_fmu_are_refused() {
+    let mut scenario = scenario("\"body.vertical\"");
+    scenario.text += "[fmus]\nvehicle_at = [{ place = 1, names = { \"sync.force\" = \"u\" } }]\n";
+    let output = scenario.run(&[]);
+    let text = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && text.contains("names belong to an FMU"), "{text}");
+}

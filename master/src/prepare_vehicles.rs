@@ -25,8 +25,6 @@ struct VehicleFmu<'s> {
     import: Arc<Import>,
     /// Its names for our signals, where they differ.
     names: &'s BTreeMap<String, String>,
-    /// What the scenario sets in it.
-    parameters: &'s BTreeMap<String, Value>,
 }
 
 impl Builder<'_> {
@@ -55,15 +53,15 @@ impl Builder<'_> {
         let mut of_file: HashMap<&Path, Arc<Import>> = HashMap::new();
         let mut replacements = HashMap::new();
         for other in stated {
-            let import = match of_file.get(other.file.as_path()) {
+            let Some(file) = &other.file else { continue };
+            let import = match of_file.get(file.as_path()) {
                 Some(import) => Arc::clone(import),
-                None => Import::open(&other.file)?,
+                None => Import::open(file)?,
             };
             let count = stated.iter().filter(|same| same.file == other.file).count();
             check_instances(&import, count)?;
-            of_file.insert(&other.file, Arc::clone(&import));
-            let (names, parameters) = (&other.names, &other.parameters);
-            replacements.insert(other.place, VehicleFmu { import, names, parameters });
+            of_file.insert(file, Arc::clone(&import));
+            replacements.insert(other.place, VehicleFmu { import, names: &other.names });
         }
         Ok(replacements)
     }
@@ -74,8 +72,7 @@ impl Builder<'_> {
         let Some(file) = &fmus.vehicle else { return Ok(None) };
         let import = Import::open(file)?;
         check_instances(&import, count)?;
-        let (names, parameters) = (&fmus.vehicle_names, &NO_PARAMETERS);
-        Ok(Some(VehicleFmu { import, names, parameters }))
+        Ok(Some(VehicleFmu { import, names: &fmus.vehicle_names }))
     }
 
     /// Our FMU, packed for a type of vehicle.
@@ -83,16 +80,22 @@ impl Builder<'_> {
         let import = self.packed("vehicle", kind, |folder| {
             resources::write_vehicle(self.scenario, kind, folder)
         })?;
-        Ok(VehicleFmu { import, names: &OUR_NAMES, parameters: &NO_PARAMETERS })
+        Ok(VehicleFmu { import, names: &OUR_NAMES })
+    }
+
+    /// What the scenario sets in the FMU at a place.
+    fn parameters_at(&self, place: usize) -> &BTreeMap<String, Value> {
+        let stated = self.scenario.fmus.vehicle_at.iter().find(|other| other.place == place);
+        stated.map_or(&NO_PARAMETERS, |other| &other.parameters)
     }
 
     fn vehicle(&self, place: usize, fmu: &VehicleFmu<'_>) -> Result<Vehicle, PrepareError> {
-        let VehicleFmu { import, names, parameters } = fmu;
+        let VehicleFmu { import, names } = fmu;
         let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
         let ports = connect(import, &signals, names, "vehicle")?;
         let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
         let mut constants = vec![];
-        for (name, value) in *parameters {
+        for (name, value) in self.parameters_at(place) {
             constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
         }
         Ok(Vehicle {

@@ -46,6 +46,16 @@ impl<'a> Checker<'a> {
         for (i, wheelset) in self.multibody.wheelset.iter().enumerate() {
             let check = self.check.section(&format!("wheelset[{}]", i + 1));
             self.wheelset(wheelset, &check)?;
+            if let Some(before) = i.checked_sub(1).map(|before| &self.multibody.wheelset[before])
+                && wheelset.x_m >= before.x_m
+            {
+                let wanted = format!(
+                    "must be less than {}, the place of the wheelset before it: wheelsets stand \
+                     from front to rear",
+                    before.x_m
+                );
+                return Err(check.error("x_m", wheelset.x_m, wanted));
+            }
         }
         let sum = self.multibody.mass();
         if (sum - mass_kg).abs() <= 1e-6 * mass_kg {
@@ -148,6 +158,14 @@ mod tests {
         assert!(message("\"frame\", \"axle\"", "\"frame\", \"axel\"").contains("axel"));
         assert!(message("[0.0, 1.0, 0.46]", "[0.0, 1.0, 0.5]").contains("act in the axle"));
         assert!(message("[0.0, 1.0, 0.46]", "").contains("at least one point"));
+        let behind = SMALL.replace(
+            "x_m = 0.0, wheel_radius_m = 0.46, frame = \"frame\" }]",
+            "x_m = 0.0, wheel_radius_m = 0.46, frame = \"frame\" },
+             { name = \"other\", mass_kg = 100.0, inertia_kg_m2 = [1.0, 1.0, 1.0],
+               x_m = 1.0, wheel_radius_m = 0.46, frame = \"frame\" }]",
+        );
+        let message_of = checked(&behind).unwrap_err().to_string();
+        assert!(message_of.contains("wheelset[2].x_m = 1: must be less than 0"), "{message_of}");
         assert!(message("limit_ratio = 0.4", "limit_ratio = 2.0").contains("creep.limit_ratio"));
     }
 }

@@ -15,6 +15,9 @@ const MM: f64 = 1e-3;
 /// Halvings of the interval in which a loaded wheel's descent is sought.
 const HALVINGS: usize = 50;
 
+/// Most displacements of a table: each takes a search of some milliseconds.
+const MOST_PLACES: f64 = 1e4;
+
 /// Arguments of `hotfoot contact`.
 #[derive(Args)]
 pub struct ContactArguments {
@@ -63,6 +66,12 @@ pub struct ContactArguments {
 pub fn contact(arguments: &ContactArguments) -> Result<()> {
     ensure!(arguments.step_mm > 0.0, "--step-mm must be greater than zero");
     ensure!(arguments.load > 0.0, "--load must be greater than zero");
+    let span = arguments.to_mm - arguments.from_mm;
+    ensure!(span >= 0.0, "--to-mm must not be below --from-mm");
+    ensure!(
+        span / arguments.step_mm <= MOST_PLACES,
+        "--step-mm makes more than {MOST_PLACES} rows"
+    );
     let placements = placements(arguments)?;
     match &arguments.plot {
         Some(file) => contact_plot::page(arguments, &placements).write(file),
@@ -112,8 +121,8 @@ fn placements(arguments: &ContactArguments) -> Result<Vec<Placement>> {
     let greatest = arguments.from_mm.abs().max(arguments.to_mm.abs());
     let conicity = EquivalentConicity::new(&pair, greatest * MM).into_diagnostic()?;
     let steps = ((arguments.to_mm - arguments.from_mm) / arguments.step_mm + 1e-9).floor();
-    let places = (0..=steps.max(0.0) as usize)
-        .map(|step| arguments.from_mm + step as f64 * arguments.step_mm);
+    let places =
+        (0..=steps as usize).map(|step| arguments.from_mm + step as f64 * arguments.step_mm);
     places
         .map(|lateral_mm| {
             let yaw = arguments.yaw_mrad * MM;

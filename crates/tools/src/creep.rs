@@ -92,6 +92,16 @@ pub fn creep(arguments: &CreepArguments) -> Result<()> {
         arguments.friction > 0.0 && arguments.limit_ratio >= 0.0 && arguments.decay >= 0.0,
         "--friction must be greater than zero, --limit-ratio and --decay not negative"
     );
+    let [initial, remaining, fall] = [0, 1, 2].map(|i| arguments.reduction[i]);
+    ensure!(
+        initial > 0.0 && (0.0..=1.0).contains(&remaining) && fall >= 0.0,
+        "--reduction must be k0 greater than zero, alpha between 0 and 1, beta not negative"
+    );
+    let [adhesion, slip] = [0, 1].map(|i| arguments.factors[i]);
+    ensure!(
+        adhesion >= slip && slip > 0.0,
+        "--factors must be kA not below kS, both greater than zero"
+    );
     let rows = rows(arguments)?;
     match &arguments.plot {
         Some(file) => creep_plot::page(arguments, &rows)?.write(file),
@@ -157,7 +167,7 @@ fn patch(arguments: &CreepArguments) -> Result<ContactPatch> {
             let scale = arguments.load.cbrt();
             (hertz.semi_axis_rolling * scale, hertz.semi_axis_lateral * scale)
         }
-        _ => return Err(miette!("give --semi-axes-mm A,B or --radii-m RX,RY, greater than zero")),
+        _ => return Err(miette!("give --semi-axes-mm A B or --radii-m RX RY, greater than zero")),
     };
     let kalker = CreepCoefficients::new(a / b, STEEL.poisson_ratio);
     Ok(ContactPatch { normal_force: arguments.load, a, b, kalker })

@@ -1,7 +1,7 @@
 //! `hotfoot critical-speed`: the speed at which a vehicle on straight track becomes unstable.
 
 use clap::Args;
-use miette::Result;
+use miette::{Result, ensure};
 use vehicle::linear::Rolling;
 
 use crate::VehicleArgument;
@@ -33,6 +33,14 @@ pub struct CriticalSpeedArguments {
 /// # Errors
 /// When the vehicle cannot be read.
 pub fn critical_speed(arguments: &CriticalSpeedArguments) -> Result<()> {
+    let positive = |value: &f64| value.is_finite() && *value > 0.0;
+    ensure!(arguments.conicity.iter().all(positive), "--conicity must be greater than zero");
+    ensure!(
+        arguments.half_distance.iter().all(positive),
+        "--half-distance must be greater than zero"
+    );
+    ensure!(positive(&arguments.rail_radius), "--rail-radius must be greater than zero");
+    ensure!(positive(&arguments.greatest), "--greatest must be greater than zero");
     let structure = arguments.vehicle.structure()?;
     let running_circles = structure.wheelsets[0].wheel.half_distance;
     match arguments.csv {

@@ -22,7 +22,8 @@
 //! linearly, or, with `gradient_interpolation = "cubic"` or `curvature_interpolation = "cubic"`, by a
 //! cubic spline. A chainage that stands twice is a step, and the end of a spline.
 //!
-//! The sections `[irregularity]` and `[support]` are those of `irregularity/file.rs` and `support.rs`.
+//! The sections `[irregularity]`, `[support]` and `[[friction]]` are those of `irregularity/file.rs`,
+//! `support.rs` and `friction.rs`.
 
 use std::path::Path;
 
@@ -53,6 +54,9 @@ pub(crate) struct TrackFile {
     /// Read by [`crate::Support`].
     #[serde(default, rename = "support")]
     pub _support: Option<crate::support::Section>,
+    /// Read by [`crate::Friction`].
+    #[serde(default, rename = "friction")]
+    pub _friction: Vec<crate::friction::Point>,
 }
 
 #[derive(Deserialize)]

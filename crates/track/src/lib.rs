@@ -8,6 +8,7 @@
 //! | `track.rs` | the compiled track: what holds at a chainage |
 //! | `irregularity/` | where the rails lie besides their designed place |
 //! | `support.rs` | the elastic support of the rails |
+//! | `friction.rs` | how slippery the rails are |
 //!
 //! Positive curvature is a right-hand curve; positive cant lowers the right rail (the inner rail
 //! of a right-hand curve); a positive gradient rises in the running direction.
@@ -16,11 +17,13 @@ mod check;
 mod compile;
 mod error;
 mod file;
+mod friction;
 pub mod irregularity;
 mod support;
 mod track;
 
 pub use error::TrackError;
+pub use friction::Friction;
 pub use irregularity::{Irregularity, RailOffset};
 pub use support::Support;
 pub use track::{Place, Track, TrackPoint};

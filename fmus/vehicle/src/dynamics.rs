@@ -67,6 +67,7 @@ pub struct Dynamics {
     seen: Vec<Seen>,
     pub(crate) wrenches: Vec<Wrench>,
     pub(crate) track_index: usize,
+    friction_index: usize,
 }
 
 impl Dynamics {
@@ -92,6 +93,7 @@ impl Dynamics {
             seen: vec![Seen::default(); bodies],
             wrenches: vec![Wrench::default(); bodies],
             track_index: 0,
+            friction_index: 0,
             structure,
             line,
         }
@@ -276,13 +278,15 @@ impl Dynamics {
     /// The wheelsets, and the reaction of their drives.
     fn roll(&mut self, step: f64, inputs: &Inputs) {
         let structure = &*self.structure;
-        let creep = structure.creep.with_friction(inputs.friction);
         for (i, data) in structure.wheelsets.iter().enumerate() {
             let drive = Drive {
                 torque: -inputs.traction * data.traction_share * data.wheel.radius,
                 brake: inputs.brake.max(0.0) * data.brake_share * data.wheel.radius,
                 carrier: self.state.bodies[data.frame].angular_velocity.y,
             };
+            let chainage = self.state.bodies[data.body].position.x;
+            let rails = self.line.friction.factor(chainage, &mut self.friction_index);
+            let creep = structure.creep.with_friction(rails * inputs.friction);
             let wheelset = WheelsetStep {
                 data,
                 body: &structure.bodies[data.body],

@@ -15,7 +15,7 @@ pub struct Inputs {
     pub brake: f64,
     /// Force that keeps the vehicle in step with the train.
     pub synchronisation: f64,
-    /// Friction coefficient of the rails without slip.
+    /// Friction coefficient without slip, where the rails' factor is 1.
     pub friction: f64,
 }
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use track::{Irregularity, Support, Track, TrackError};
+use track::{Friction, Irregularity, Support, Track, TrackError};
 
 /// A line.
 #[derive(Clone, Debug)]
@@ -14,6 +14,8 @@ pub struct Line {
     pub irregularity: Irregularity,
     /// Elastic support; none: the rails do not give way.
     pub support: Option<Support>,
+    /// How slippery the rails are.
+    pub friction: Friction,
 }
 
 /// The lines read so far: a train of 250 vehicles needs one. Those that nobody uses any more go.
@@ -22,7 +24,12 @@ static LINES: Mutex<Vec<(PathBuf, String, Arc<Line>)>> = Mutex::new(Vec::new());
 impl Line {
     /// Smooth stiff rails on this track.
     pub fn smooth(track: Track) -> Self {
-        Self { track, irregularity: Irregularity::default(), support: None }
+        Self {
+            track,
+            irregularity: Irregularity::default(),
+            support: None,
+            friction: Friction::default(),
+        }
     }
 
     /// Reads all of a track file. Instances in one process share the line of a file that has not
@@ -43,6 +50,7 @@ impl Line {
             track: Track::from_toml(&text, &name)?,
             irregularity: Irregularity::from_track_file(file)?,
             support: Support::from_toml(&text, &name)?,
+            friction: Friction::from_toml(&text, &name)?,
         });
         lines.push((file.to_owned(), text, Arc::clone(&line)));
         Ok(line)

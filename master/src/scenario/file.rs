@@ -216,16 +216,17 @@ pub struct Fmus {
     pub retry_discarded_steps: bool,
 }
 
-/// An FMU for one vehicle.
+/// An FMU, or other parameters, for one vehicle.
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct VehicleReplacement {
     /// Place in the train, counted from one.
     #[garde(range(min = 1))]
     pub place: usize,
-    /// FMU, relative to the scenario's file.
+    /// FMU, relative to the scenario's file; left out: the one that stands there anyway, with other
+    /// parameters.
     #[garde(skip)]
-    pub file: PathBuf,
+    pub file: Option<PathBuf>,
     /// Its names for our signals, where they differ: `"sync.force" = "control_force"`.
     #[serde(default)]
     #[garde(skip)]

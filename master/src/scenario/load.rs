@@ -7,7 +7,7 @@ use garde::Validate;
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use toml::de::{DeTable, DeValue};
 
-use super::file::Scenario;
+use super::file::{Scenario, VehicleReplacement};
 use super::value::Value;
 
 /// Why a scenario cannot be run.
@@ -101,6 +101,11 @@ fn check_across_keys(scenario: &Scenario) -> Result<(), (&'static str, String)> 
     if let Some(replaced) = scenario.fmus.vehicle_at.iter().find(|v| v.place > count) {
         let message =
             format!("place {} is behind the tail: the train has {count} vehicles", replaced.place);
+        return Err(("fmus.vehicle_at", message));
+    }
+    let named = |other: &&VehicleReplacement| other.file.is_none() && !other.names.is_empty();
+    if let Some(other) = scenario.fmus.vehicle_at.iter().find(named) {
+        let message = format!("place {}: names belong to an FMU; name its file, too", other.place);
         return Err(("fmus.vehicle_at", message));
     }
     if let Some(place) = scenario.record.wheels_of.iter().find(|&&place| place > count) {
@@ -201,7 +206,9 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, file: &str) -> Result<(
         }
     }
     for (i, replacement) in fmus.vehicle_at.iter_mut().enumerate() {
-        resolve(&mut replacement.file, &format!("fmus.vehicle_at[{i}].file"), "FMU")?;
+        if let Some(path) = &mut replacement.file {
+            resolve(path, &format!("fmus.vehicle_at[{i}].file"), "FMU")?;
+        }
     }
     let of_rails = scenario.heat.iter_mut().flat_map(|heat| heat.parameters.values_mut());
     let of_vehicles = fmus.vehicle_at.iter_mut().flat_map(|other| other.parameters.values_mut());

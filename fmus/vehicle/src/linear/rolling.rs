@@ -27,8 +27,9 @@ const GROWING: f64 = 0.01;
 /// for a heavy locomotive.
 const HOLDING: f64 = 1e4;
 
-/// Steps of the search for the first unstable speed, m/s.
-const SEARCH_STEP: f64 = 8.0;
+/// Steps of the search for the first unstable speed, m/s; a range of speeds that is narrower, such as that
+/// of a body that sways with its wheelsets, may be missed.
+const SEARCH_STEP: f64 = 4.0;
 
 /// How exactly the speed is found, m/s.
 const EXACTNESS: f64 = 0.1;
@@ -71,14 +72,14 @@ impl Rolling {
         let suspension = System::new(structure, Surfaces::Slide);
         let at = |speed: f64| self.system(&suspension, structure, speed).least_stable();
         let grows = |speed: f64| at(speed).is_some_and(|mode| mode.growth > GROWING);
-        let mut stable = SEARCH_STEP;
-        while !grows(stable + SEARCH_STEP) {
-            stable += SEARCH_STEP;
-            if stable >= greatest {
+        let (mut stable, mut unstable) = (0.0, SEARCH_STEP.min(greatest));
+        while !grows(unstable) {
+            if unstable >= greatest {
                 return None;
             }
+            stable = unstable;
+            unstable = (stable + SEARCH_STEP).min(greatest);
         }
-        let mut unstable = stable + SEARCH_STEP;
         while unstable - stable > EXACTNESS {
             let middle = 0.5 * (stable + unstable);
             if grows(middle) {

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use track::{Irregularity, Support, Track};
+use track::{Friction, Irregularity, Support, Track};
 use vehicle::dynamics::Dynamics;
 use vehicle::inputs::Inputs;
 use vehicle::line::Line;
@@ -126,6 +126,7 @@ pub fn started(structure: Arc<Structure>, track: &str, speed: f64, inputs: &Inpu
         track: Track::from_toml(track, "test").unwrap(),
         irregularity: Irregularity::from_toml(track, "test").unwrap(),
         support: Support::from_toml(track, "test").unwrap(),
+        friction: Friction::from_toml(track, "test").unwrap(),
     };
     let mut vehicle = Dynamics::new(structure, Arc::new(line));
     let equilibrium = vehicle.start(1000.0, speed, inputs);

@@ -2,6 +2,7 @@
 //! free curving.
 
 use crate::common::*;
+use vehicle::dynamics::Dynamics;
 use vehicle::inputs::Inputs;
 
 /// Twelve longitudinal creep forces carry the traction: on straight track they differ from it by
@@ -137,4 +138,48 @@ fn property_energy_balance() {
     let error = gained - account.work() + account.heat();
     let turned_over = account.traction.abs() + account.couplers.abs() + account.heat();
     assert!(error.abs() < 1e-4 * turned_over, "{error} J of {turned_over} J: {account:?}");
+}
+
+/// What the track's factor and the input make of friction is their product: halved rails under friction
+/// 0.4 are rails of 0.2, bit by bit. Where the factor steps, each wheelset has that of its own chainage.
+#[test]
+fn property_friction_of_the_track_is_a_factor_of_the_input() {
+    let half = "friction = [{ chainage_m = 0.0, factor = 0.5 }]";
+    let pulling = |friction| Inputs { traction: 100e3, ..Inputs::none(friction) };
+    let mut product = started(locomotive(), half, 10.0, &pulling(0.4));
+    let mut plain = started(locomotive(), "", 10.0, &pulling(0.2));
+    run(&mut product, 1.0, &pulling(0.4));
+    run(&mut plain, 1.0, &pulling(0.2));
+    assert_eq!(product.state, plain.state);
+
+    let step = "friction = [{ chainage_m = 0.0, factor = 0.5 },
+                            { chainage_m = 1000.0, factor = 0.5 },
+                            { chainage_m = 1000.0, factor = 1.0 }]";
+    let vehicle = started(locomotive(), step, 10.0, &pulling(0.36));
+    let creepage = |i: usize| vehicle.wheels[i][0].creepages.longitudinal;
+    // The leading bogie stands beyond 1000 m, on rails with twice the friction of the other's.
+    for leading in 0..3 {
+        assert!(creepage(leading) < 0.95 * creepage(5 - leading), "{leading}");
+    }
+}
+
+/// A wheelset that is driven harder than friction holds it spins, and the more friction falls with slip
+/// the less it pulls: from a creepage of 1 % on the force must fall while the creepage grows. With sand,
+/// friction raised during the run, it comes back to rolling.
+#[test]
+fn property_sand_brings_a_spinning_locomotive_back() {
+    let pulling = |friction| Inputs { traction: 240e3, ..Inputs::none(friction) };
+    let mut vehicle = started(locomotive(), "", 10.0, &pulling(0.36));
+    let creepage = |vehicle: &Dynamics| vehicle.wheels[0][0].creepages.longitudinal;
+    let force = |vehicle: &Dynamics| vehicle.wheels[0][0].longitudinal;
+    let wet = pulling(0.15);
+    run(&mut vehicle, 0.2, &wet);
+    let (spinning, pull) = (creepage(&vehicle), force(&vehicle));
+    assert!(spinning > 0.01, "{spinning}");
+    run(&mut vehicle, 0.1, &wet);
+    assert!(creepage(&vehicle) > spinning && force(&vehicle) < pull);
+    run(&mut vehicle, 3.0, &pulling(0.5));
+    assert!(creepage(&vehicle) < 0.005, "{}", creepage(&vehicle));
+    // 20 kN a wheel, less what turns the wheelsets faster: 134 t of 134 t + 16.3 t of rotating mass.
+    assert_close(force(&vehicle), 20e3 * 134.0 / 150.3, 1e-2);
 }
