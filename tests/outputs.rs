@@ -81,7 +81,7 @@ fn creepage(fmus: &str, track: &str) -> f64 {
 #[test]
 fn property_friction_of_track_and_vehicle_reaches_the_wheels() {
     let dry = creepage("", "");
-    let wet = creepage("", "friction = [{ chainage_m = 0.0, factor = 0.5 }]\n");
+    let wet = creepage("", "[[friction]]\nchainage_m = 0.0\nfactor = 0.5\n");
     let parameters = "parameters = { \"friction.coefficient\" = 0.18 }";
     let slippery = creepage(&format!("[fmus]\nvehicle_at = [{{ place = 1, {parameters} }}]\n"), "");
     assert!(wet > 1.05 * dry, "{wet}, dry {dry}");
