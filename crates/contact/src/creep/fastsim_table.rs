@@ -14,6 +14,7 @@
 //! ny²)) and a/(a + b).
 
 use super::fastsim::{Action, Division, Motion, march};
+use std::array::from_fn;
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -22,6 +23,15 @@ const NODES: [usize; 4] = [25, 9, 11, 9];
 
 /// Distances of neighbouring nodes over size, direction, part of the spin and shape.
 const STRIDES: [usize; 4] = [1, NODES[0], NODES[0] * NODES[1], NODES[0] * NODES[1] * NODES[2]];
+
+/// Nodes from the first to the last one of a cell between neighbouring nodes.
+const CELL: usize = 1 + STRIDES[0] + STRIDES[1] + STRIDES[2] + STRIDES[3];
+
+/// First nodes in a cell of its edges over size.
+const EDGES: [usize; 8] = {
+    let [_, x, y, z] = STRIDES;
+    [0, x, y, x + y, z, x + z, y + z, x + y + z]
+};
 
 /// Largest m; beyond it all slips, and only the direction counts.
 const LARGEST: f64 = 30.0;
@@ -125,32 +135,27 @@ impl FastsimTable {
         let mut part = [0.0; 4];
         for k in 0..4 {
             let place = places[k].clamp(0.0, 1.0) * (NODES[k] - 1) as f64;
-            let index = (place as usize).min(NODES[k] - 2);
+            let index = (place as u32 as usize).min(NODES[k] - 2);
             first += index * STRIDES[k];
-            part[k] = place - index as f64;
+            part[k] = (place - index as f64) as f32;
         }
-        let corners = &self.nodes[first..][..=STRIDES[0] + STRIDES[1] + STRIDES[2] + STRIDES[3]];
-        let over_size = |node: usize| {
-            between(&corners[node].map(f64::from), &corners[node + 1].map(f64::from), part[0])
-        };
-        let over_direction =
-            |node: usize| between(&over_size(node), &over_size(node + STRIDES[1]), part[1]);
-        let over_spin = |node: usize| {
-            between(&over_direction(node), &over_direction(node + STRIDES[2]), part[2])
-        };
-        between(&over_spin(0), &over_spin(STRIDES[3]), part[3])
+        let cell = self.nodes[first..].first_chunk::<CELL>().expect("places lie within the table");
+        let edges = EDGES.map(|node| between(&cell[node], &cell[node + 1], part[0]));
+        let faces: [_; 4] = from_fn(|i| between(&edges[2 * i], &edges[2 * i + 1], part[1]));
+        let sides: [_; 2] = from_fn(|i| between(&faces[2 * i], &faces[2 * i + 1], part[2]));
+        between(&sides[0], &sides[1], part[3]).map(f64::from)
     }
 }
 
-/// `part` of the way from the ratios of one place to those of another.
+/// `part` of the way from the ratios of one node to those of another.
 #[inline]
-fn between(one: &[f64; 8], other: &[f64; 8], part: f64) -> [f64; 8] {
-    std::array::from_fn(|i| one[i] + part * (other[i] - one[i]))
+fn between(one: &Node, other: &Node, part: f32) -> Node {
+    from_fn(|i| one[i] + part * (other[i] - one[i]))
 }
 
 /// The ratios at the node with these indices.
 fn node(index: [usize; 4]) -> Node {
-    let place: [f64; 4] = std::array::from_fn(|k| index[k] as f64 / (NODES[k] - 1) as f64);
+    let place: [f64; 4] = from_fn(|k| index[k] as f64 / (NODES[k] - 1) as f64);
     let reduced = place[0].max(EDGE) * LARGEST / (1.0 + LARGEST);
     let m = reduced / (1.0 - reduced);
     let direction = place[1].clamp(EDGE, 1.0 - EDGE);

@@ -28,7 +28,7 @@ pub struct Stretch {
 
 impl Ends {
     /// Displacement and rate of the second end against the first.
-    #[inline]
+    #[inline(always)]
     pub fn stretch(&self, seen: &[Seen]) -> Stretch {
         let [first, second] = self.bodies.map(|body| &seen[body]);
         let a = self.arms[0] + first.rotation.cross(&self.arms[0]);
@@ -46,7 +46,7 @@ impl Ends {
 
     /// Lets `force`, given in the element's axes, act on the second body and its opposite on the
     /// first, both at the middle of the stretched element, so that no moment is lost.
-    #[inline]
+    #[inline(always)]
     pub fn apply(&self, stretch: &Stretch, force: &Vector3<f64>, wrenches: &mut [Wrench]) {
         let force = force + stretch.tilt.cross(force);
         wrenches[self.bodies[1]].add(&force, &stretch.arms[1]);
