@@ -137,19 +137,20 @@ impl FastsimTable {
             let place = places[k].clamp(0.0, 1.0) * (NODES[k] - 1) as f64;
             let index = (place as u32 as usize).min(NODES[k] - 2);
             first += index * STRIDES[k];
-            part[k] = (place - index as f64) as f32;
+            part[k] = place - index as f64;
         }
         let cell = self.nodes[first..].first_chunk::<CELL>().expect("places lie within the table");
-        let edges = EDGES.map(|node| between(&cell[node], &cell[node + 1], part[0]));
+        let at = |node: usize| cell[node].map(f64::from);
+        let edges = EDGES.map(|node| between(&at(node), &at(node + STRIDES[0]), part[0]));
         let faces: [_; 4] = from_fn(|i| between(&edges[2 * i], &edges[2 * i + 1], part[1]));
         let sides: [_; 2] = from_fn(|i| between(&faces[2 * i], &faces[2 * i + 1], part[2]));
-        between(&sides[0], &sides[1], part[3]).map(f64::from)
+        between(&sides[0], &sides[1], part[3])
     }
 }
 
-/// `part` of the way from the ratios of one node to those of another.
+/// `part` of the way from the ratios of one place to those of another.
 #[inline]
-fn between(one: &Node, other: &Node, part: f32) -> Node {
+fn between(one: &[f64; 8], other: &[f64; 8], part: f64) -> [f64; 8] {
     from_fn(|i| one[i] + part * (other[i] - one[i]))
 }
 
