@@ -1,22 +1,18 @@
 //! The FMU's variables of a contact, and of all contacts of a wheel together.
 
-use fmu::{Declaration, Real, Values, unit};
+use contact::Creepages;
+use fmu::{Declaration, Reals, Values, unit};
 
 use crate::wheel_output::ContactOutput;
 
-/// Handles of a contact.
+/// Handles of a contact, in the order in which they are declared.
 #[derive(Debug)]
 pub(super) struct ContactSignals {
-    creepage: [Real; 3],
-    longitudinal: Real,
-    lateral: Real,
-    normal: Real,
-    friction_power: Real,
-    a: Real,
-    b: Real,
-    rail_lateral: Real,
-    angle: Real,
+    all: Reals<11>,
 }
+
+/// Place of the normal force among them.
+const NORMAL: usize = 5;
 
 impl ContactSignals {
     /// Declares the contact with this `name`, such as `wheelset[1].left`; `whose` tells in the
@@ -25,60 +21,58 @@ impl ContactSignals {
         let mut output = |quantity: &str, unit, description: &str| {
             d.real(format!("{name}.{quantity}"), unit, format!("{description}, {whose}")).output()
         };
-        Self {
-            creepage: [
-                output(
-                    "creepage.longitudinal",
-                    unit::ONE,
-                    "Longitudinal creepage, traction positive",
-                ),
-                output(
-                    "creepage.lateral",
-                    unit::ONE,
-                    "Lateral creepage, wheel slipping right positive",
-                ),
-                output("creepage.spin", unit::PER_METRE, "Spin creepage, positive about z down"),
-            ],
-            longitudinal: output(
+        let all = Reals::new([
+            output("creepage.longitudinal", unit::ONE, "Longitudinal creepage, traction positive"),
+            output(
+                "creepage.lateral",
+                unit::ONE,
+                "Lateral creepage, wheel slipping right positive",
+            ),
+            output("creepage.spin", unit::PER_METRE, "Spin creepage, positive about z down"),
+            output(
                 "force.longitudinal",
                 unit::NEWTON,
                 "Creep force on the wheel along the track, traction positive",
             ),
-            lateral: output(
+            output(
                 "force.lateral",
                 unit::NEWTON,
                 "Creep force on the wheel in the contact plane, positive to the right",
             ),
-            normal: output("force.normal", unit::NEWTON, "Normal force"),
-            friction_power: output("friction_power", unit::WATT, "Power turned into heat by creep"),
-            a: output("contact.a", unit::METRE, "Semi-axis of the contact in rolling direction"),
-            b: output("contact.b", unit::METRE, "Semi-axis of the contact across"),
-            rail_lateral: output(
+            output("force.normal", unit::NEWTON, "Normal force"),
+            output("friction_power", unit::WATT, "Power turned into heat by creep"),
+            output("contact.a", unit::METRE, "Semi-axis of the contact in rolling direction"),
+            output("contact.b", unit::METRE, "Semi-axis of the contact across"),
+            output(
                 "contact.lateral_position",
                 unit::METRE,
                 "Contact on the rail head from its top, negative towards the gauge side",
             ),
-            angle: output("contact.angle", unit::RADIAN, "Contact angle, positive as on a tread"),
-        }
+            output("contact.angle", unit::RADIAN, "Contact angle, positive as on a tread"),
+        ]);
+        Self { all }
     }
 
     /// Whether a contact is shown.
     pub fn shows_one(&self, values: &Values) -> bool {
-        values[self.normal] != 0.0
+        values[self.all][NORMAL] != 0.0
     }
 
     /// Shows the contact.
     pub fn write(&self, contact: &ContactOutput, values: &mut Values) {
-        values[self.creepage[0]] = contact.creepages.longitudinal;
-        values[self.creepage[1]] = contact.creepages.lateral;
-        values[self.creepage[2]] = contact.creepages.spin;
-        values[self.longitudinal] = contact.longitudinal;
-        values[self.lateral] = contact.lateral;
-        values[self.normal] = contact.normal;
-        values[self.friction_power] = contact.friction_power;
-        values[self.a] = contact.a;
-        values[self.b] = contact.b;
-        values[self.rail_lateral] = contact.rail_lateral;
-        values[self.angle] = contact.angle;
+        let Creepages { longitudinal, lateral, spin } = contact.creepages;
+        values[self.all] = [
+            longitudinal,
+            lateral,
+            spin,
+            contact.longitudinal,
+            contact.lateral,
+            contact.normal,
+            contact.friction_power,
+            contact.a,
+            contact.b,
+            contact.rail_lateral,
+            contact.angle,
+        ];
     }
 }
