@@ -156,7 +156,7 @@ fn property_friction_of_the_track_is_a_factor_of_the_input() {
                             { chainage_m = 1000.0, factor = 0.5 },
                             { chainage_m = 1000.0, factor = 1.0 }]";
     let vehicle = started(locomotive(), step, 10.0, &pulling(0.36));
-    let creepage = |i: usize| vehicle.wheels[i][0].creepages.longitudinal;
+    let creepage = |i: usize| vehicle.wheels[i][0].total.creepages.longitudinal;
     // The leading bogie stands beyond 1000 m, on rails with twice the friction of the other's.
     for leading in 0..3 {
         assert!(creepage(leading) < 0.95 * creepage(5 - leading), "{leading}");
@@ -170,8 +170,8 @@ fn property_friction_of_the_track_is_a_factor_of_the_input() {
 fn property_sand_brings_a_spinning_locomotive_back() {
     let pulling = |friction| Inputs { traction: 240e3, ..Inputs::none(friction) };
     let mut vehicle = started(locomotive(), "", 10.0, &pulling(0.36));
-    let creepage = |vehicle: &Dynamics| vehicle.wheels[0][0].creepages.longitudinal;
-    let force = |vehicle: &Dynamics| vehicle.wheels[0][0].longitudinal;
+    let creepage = |vehicle: &Dynamics| vehicle.wheels[0][0].total.creepages.longitudinal;
+    let force = |vehicle: &Dynamics| vehicle.wheels[0][0].total.longitudinal;
     let wet = pulling(0.15);
     run(&mut vehicle, 0.2, &wet);
     let (spinning, pull) = (creepage(&vehicle), force(&vehicle));
