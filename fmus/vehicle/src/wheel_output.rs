@@ -126,7 +126,7 @@ impl WheelOutput {
             self.vertical += patch.rows.upwards(end.lateral, end.normal);
             self.patches[patch.number] = shown;
         }
-        let elastic = wheel.patches().iter().map(Patch::elastic_energy);
+        let elastic = wheel.patches().iter().map(|patch| patch.elastic_energy);
         self.elastic_energy = elastic.sum();
         self.standing = wheel.standing();
         if weights > 0.0 {

@@ -60,6 +60,7 @@ impl WheelsetStep<'_> {
                 state: &rail.seen_from(state),
                 velocities: &rail.against(&against),
                 speed: state.velocity.x,
+                turning: self.frame.rotation.z,
             };
             wheel.touch(&self.data.table, &motion, self.creep);
         }
