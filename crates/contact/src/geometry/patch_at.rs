@@ -12,14 +12,17 @@
 //! where the stiffness changes along the path a small force along it, 2/5 dk/dfoot approach^(5/2).
 
 use super::contact_point::ContactPoint;
-use super::row::{Cubic, LINEAR, Node, Row, STEP, TablePatch, YawArms};
+use super::row::{Cubic, Node, Row, STEP, TablePatch, YawArms};
 use crate::hertz::UnitContact;
 use crate::kalker::CreepCoefficients;
 
 /// After a step as short as this, in m of shift, the foot is exact: the error falls with the square.
-const LAST_STEP: f64 = 2e-6;
+const LAST_STEP: f64 = 5e-6;
 
-/// Steps of the search, far more than any contact takes (two on the tread).
+/// Up to a step as long as this, in m of shift, the first one reaches the foot.
+const ONE_STEP: f64 = 3e-5;
+
+/// Steps of the search, far more than any contact takes.
 const MOST_STEPS: usize = 30;
 
 /// Approach from which a contact counts as loaded, in m: that of a wheel under 40 kN.
@@ -82,6 +85,14 @@ pub struct PatchAt<'a> {
     node: Node,
 }
 
+/// The equation (foot - shift) + (drop - descent) slope = 0 where it is not met, and its first and second
+/// derivative by the shift of the unyawed wheel.
+struct OffFoot {
+    error: f64,
+    change: f64,
+    bend: f64,
+}
+
 /// A patch that presses.
 #[derive(Clone, Copy, Debug)]
 pub struct PressedPatch {
@@ -111,7 +122,7 @@ impl<'a> PatchAt<'a> {
         wheel: &WheelPlace,
     ) -> Self {
         let rows = &patch.rows;
-        let path = path(rows, place.index, wheel);
+        let path = rows[place.index].path(wheel.roll);
         let node = path.at(place.part);
         Self { rows, begin, yaw: patch.yaw, place, path, shift: wheel.shift, node }
     }
@@ -128,13 +139,13 @@ impl<'a> PatchAt<'a> {
         self.linear(2)
     }
 
-    /// How far the `wheel` is pressed below the tangent to its path, in m.
+    /// How far the `wheel` is pressed below the tangent to its path, in m. (The path is hollow, so that no
+    /// tangent shows a contact that is none.)
     #[inline]
     pub fn sunk(&mut self, wheel: &WheelPlace) -> f64 {
         let here = self.below_tangent(wheel);
-        if here > -REACH && wheel.yaw_squared > 0.0 {
-            let aside = self.aside(wheel);
-            self.go_to(wheel.shift - aside, wheel);
+        if (-REACH..=0.0).contains(&here) {
+            self.go_by(-self.aside(wheel), wheel);
             return self.below_tangent(wheel);
         }
         here
@@ -144,31 +155,32 @@ impl<'a> PatchAt<'a> {
     #[inline]
     pub fn pressed(mut self, wheel: &WheelPlace) -> PressedPatch {
         let change = self.go_to_foot(wheel);
-        let mut point = self.point();
-        let slope = point.slope;
-        let approach = self.below_tangent(wheel) * point.cos_angle;
+        let t = self.place.part;
+        let slope = self.node.1;
+        let cos_angle = 1.0 / (1.0 + slope * slope).sqrt();
+        let approach = self.below_tangent(wheel) * cos_angle;
 
-        let [light, loaded] = [0, 1].map(|load| self.cubic(|row| row.stiffness[load]));
-        let square = (approach / LOADED_FROM).powi(2);
+        let row = &self.rows[self.place.index];
+        let [light, loaded] = row.stiffness.each_ref().map(|stiffness| stiffness.at(t));
+        let square = (approach * (1.0 / LOADED_FROM)).powi(2);
         let part = square * square / (1.0 + square * square);
         let mix = |light: f64, loaded: f64, part: f64| light + part * (loaded - light);
         // Part of the loaded stiffness in the derivative of the energy by the approach.
         let in_force = part * (1.0 + 1.6 * (1.0 - part));
-        let energy = 0.4 * mix(light.0, loaded.0, part) * approach * approach * approach.sqrt();
-        let hertz = &mut point.hertz;
-        hertz.stiffness = mix(light.0, loaded.0, in_force);
-        hertz.stiffness_root = mix(hertz.stiffness_root, self.linear(6), in_force);
-        let along = match hertz.stiffness > 0.0 {
-            true => 0.4 * approach * mix(light.1, loaded.1, part) / (hertz.stiffness * change),
+        let force = mix(light.0, loaded.0, in_force);
+        let root = mix(self.linear(5), self.linear(6), in_force);
+        let along = match force > 0.0 {
+            true => 0.4 * approach * mix(light.1, loaded.1, part) / (force * change),
             false => 0.0,
         };
+        let point = self.contact(cos_angle, force, root);
         PressedPatch {
             by_shift: point.sin_angle + along,
-            by_descent: point.cos_angle + along * slope,
-            roll_arm: self.cubic(|row| row.roll).0,
+            by_descent: cos_angle + along * slope,
+            roll_arm: row.roll.value(t),
             yaw_arm: slope * (0.5 * self.yaw.radius * slope + self.yaw.half),
             approach,
-            energy,
+            energy: 0.4 * mix(light.0, loaded.0, part) * approach * approach * approach.sqrt(),
             point,
         }
     }
@@ -188,95 +200,106 @@ impl<'a> PatchAt<'a> {
         wheel.descent - drop - lifted + slope * off
     }
 
-    /// Moves to the foot of the perpendicular from the wheel's place, by Newton's method between bounds;
-    /// gives the derivative of the equation that is zero there.
+    /// Moves to the foot of the perpendicular from the wheel's place; gives the derivative of the
+    /// equation that is zero there. (Chebyshev's method: Newton's with the second derivative.)
     #[inline]
     fn go_to_foot(&mut self, wheel: &WheelPlace) -> f64 {
+        let OffFoot { error, change, bend } = self.off_foot(wheel);
+        let newton = -error / change;
+        let step = newton - 0.5 * bend * newton * newton / change;
+        self.go_by(step, wheel);
+        if newton.abs() > ONE_STEP { self.search_foot(wheel) } else { change }
+    }
+
+    /// Newton's method between bounds, where one step does not suffice.
+    fn search_foot(&mut self, wheel: &WheelPlace) -> f64 {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        let stretch = wheel.yaw_squared * self.yaw.radius;
-        let mut change = 1.0;
         for _ in 0..MOST_STEPS {
-            let (drop, slope) = self.node;
-            let flat = 1.0 + slope * slope;
-            let above = drop + 0.5 * stretch * slope * slope - wheel.descent;
-            let error = self.shift + self.aside(wheel) - wheel.shift + above * slope;
-            let bend = self.path.bend(self.place.part);
-            change = (flat * (1.0 + stretch * bend) + above * bend).max(0.25 * flat);
+            let OffFoot { error, change, .. } = self.off_foot(wheel);
             if error > 0.0 {
                 high = self.shift;
             } else {
                 low = self.shift;
             }
-            let step = -error / change;
-            let mut foot = self.shift + step;
-            if foot < low || foot > high {
-                foot = 0.5 * (low + high);
+            let mut step = -error / change;
+            if self.shift + step < low || self.shift + step > high {
+                step = 0.5 * (low + high) - self.shift;
             }
-            self.go_to(foot, wheel);
+            self.go_by(step, wheel);
             if step.abs() < LAST_STEP || self.place.beyond {
-                break;
+                return change;
             }
         }
-        change
+        self.off_foot(wheel).change
     }
 
-    /// Moves to another shift of the unyawed wheel.
+    /// The equation of the foot at this shift of the unyawed wheel.
     #[inline]
-    fn go_to(&mut self, shift: f64, wheel: &WheelPlace) {
-        let place = RowPlace::new(shift, self.begin, self.rows.len());
-        if place.index != self.place.index {
-            self.path = path(self.rows, place.index, wheel);
-        }
-        (self.place, self.shift) = (place, shift);
-        self.node = self.path.at(place.part);
-    }
-
-    /// All that is known of the contact.
-    #[inline]
-    pub fn point(&self) -> ContactPoint {
-        let v: [f64; LINEAR] = std::array::from_fn(|k| self.linear(k));
+    fn off_foot(&self, wheel: &WheelPlace) -> OffFoot {
         let (drop, slope) = self.node;
-        let cos_angle = 1.0 / (1.0 + slope * slope).sqrt();
+        let stretch = wheel.yaw_squared * self.yaw.radius;
+        let flat = 1.0 + slope * slope;
+        let above = drop + 0.5 * stretch * slope * slope - wheel.descent;
+        let [turn, turn_change] = self.path.bends(self.place.part);
+        let stretched = 1.0 + stretch * turn;
+        OffFoot {
+            error: self.shift + self.aside(wheel) - wheel.shift + above * slope,
+            change: (flat * stretched + above * turn).max(0.25 * flat),
+            bend: 3.0 * slope * turn * stretched + turn_change * (stretch * flat + above),
+        }
+    }
+
+    /// Changes the shift of the unyawed wheel.
+    #[inline]
+    fn go_by(&mut self, step: f64, wheel: &WheelPlace) {
+        self.shift += step;
+        let part = self.place.part + step * (1.0 / STEP);
+        if (0.0..=1.0).contains(&part) {
+            self.place.part = part;
+        } else {
+            self.place = RowPlace::new(self.shift, self.begin, self.rows.len());
+            self.path = self.rows[self.place.index].path(wheel.roll);
+        }
+        self.node = self.path.at(self.place.part);
+    }
+
+    /// The contact with a light load.
+    pub fn point(&self) -> ContactPoint {
+        let slope = self.node.1;
+        let stiffness = self.rows[self.place.index].stiffness[0].value(self.place.part);
+        self.contact(1.0 / (1.0 + slope * slope).sqrt(), stiffness, self.linear(5))
+    }
+
+    #[inline]
+    fn contact(&self, cos_angle: f64, stiffness: f64, stiffness_root: f64) -> ContactPoint {
+        let (drop, slope) = self.node;
         ContactPoint {
             drop,
             slope,
             sin_angle: -slope * cos_angle,
             cos_angle,
-            radius_change: v[0],
-            wheel_lateral: v[1],
-            rail_lateral: v[2],
+            radius_change: self.linear(0),
+            wheel_lateral: self.linear(1),
+            rail_lateral: self.linear(2),
             hertz: UnitContact {
-                semi_axis_rolling: v[3],
-                semi_axis_lateral: v[4],
-                stiffness: self.cubic(|row| row.stiffness[0]).0,
-                stiffness_root: v[5],
+                semi_axis_rolling: self.linear(3),
+                semi_axis_lateral: self.linear(4),
+                stiffness,
+                stiffness_root,
             },
-            kalker: CreepCoefficients { c11: v[7], c22: v[8], c23: v[9], c33: v[10] },
+            kalker: CreepCoefficients {
+                c11: self.linear(7),
+                c22: self.linear(8),
+                c23: self.linear(9),
+                c33: self.linear(10),
+            },
             beyond: self.place.beyond,
         }
     }
 
     #[inline]
-    fn cubic(&self, node: impl Fn(&Row) -> Node) -> Node {
-        let [p, q] = self.pair();
-        Cubic::new(node(p), node(q)).at(self.place.part)
-    }
-
-    #[inline]
     fn linear(&self, k: usize) -> f64 {
-        let [p, q] = self.pair();
+        let [p, q] = [0, 1].map(|next| &self.rows[self.place.index + next]);
         p.linear[k] + self.place.part * (q.linear[k] - p.linear[k])
     }
-
-    #[inline]
-    fn pair(&self) -> [&Row; 2] {
-        [&self.rows[self.place.index], &self.rows[self.place.index + 1]]
-    }
-}
-
-/// The path of the wheel between a row and the next.
-#[inline]
-fn path(rows: &[Row], index: usize, wheel: &WheelPlace) -> Cubic {
-    let [p, q] = [index, index + 1].map(|i| rows[i].drop(wheel.roll));
-    Cubic::new(p, q)
 }

@@ -3,6 +3,7 @@
 use super::pair::ProfilePair;
 use super::search::Touch;
 use crate::STEEL;
+use crate::hertz::UnitContact;
 use crate::kalker::CreepCoefficients;
 
 /// Distance of the rows, in m.
@@ -17,16 +18,15 @@ const WITHIN: usize = 4;
 /// A value and its derivative by the shift.
 pub(super) type Node = (f64, f64);
 
-/// One row of a patch.
+/// One row of a patch, and the way to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
     /// Drop; its derivative is the slope.
-    drop: Node,
-    /// Derivative of the drop by the roll that lowers this wheel, negative and without the distance of the
-    /// running circle from the middle, in m.
-    pub roll: Node,
+    drop: Cubic,
+    /// How far the contact of a wheel goes down that rolls about the middle of its running circle, in m/rad.
+    pub roll: Cubic,
     /// Stiffness of Hertz's contact with its share, light and loaded, in N/m^(3/2).
-    pub stiffness: [Node; 2],
+    pub stiffness: [Cubic; 2],
     /// In the order in which [`super::patch_at::PatchAt`] takes them out.
     pub linear: [f64; LINEAR],
     /// There is a contact here or close by.
@@ -34,10 +34,10 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// Drop and slope of a rolled wheel.
+    /// The path of a rolled wheel to the next row.
     #[inline]
-    pub fn drop(&self, roll: f64) -> Node {
-        (self.drop.0 - roll * self.roll.0, self.drop.1 - roll * self.roll.1)
+    pub fn path(&self, roll: f64) -> Cubic {
+        Cubic(std::array::from_fn(|k| self.drop.0[k] - roll * self.roll.0[k]))
     }
 }
 
@@ -46,25 +46,33 @@ impl Row {
 pub(super) struct Cubic([f64; 4]);
 
 impl Cubic {
-    #[inline]
-    pub fn new(p: Node, q: Node) -> Self {
+    /// The cubic with these values and derivatives at both ends.
+    fn new(p: Node, q: Node) -> Self {
         let rise = q.0 - p.0;
         let (begin, end) = (STEP * p.1, STEP * q.1);
         Self([p.0, begin, 3.0 * rise - 2.0 * begin - end, begin + end - 2.0 * rise])
     }
 
-    /// Value and first derivative by the shift.
+    /// Value `t` of the way.
     #[inline]
-    pub fn at(&self, t: f64) -> Node {
+    pub fn value(&self, t: f64) -> f64 {
         let Self([c0, c1, c2, c3]) = self;
-        let value = c0 + t * (c1 + t * (c2 + t * c3));
-        (value, (c1 + t * (2.0 * c2 + t * 3.0 * c3)) * (1.0 / STEP))
+        c0 + t * (c1 + t * (c2 + t * c3))
     }
 
-    /// Second derivative by the shift.
+    /// Value and derivative by the shift.
     #[inline]
-    pub fn bend(&self, t: f64) -> f64 {
-        (2.0 * self.0[2] + t * 6.0 * self.0[3]) * (1.0 / (STEP * STEP))
+    pub fn at(&self, t: f64) -> Node {
+        let Self([_, c1, c2, c3]) = self;
+        (self.value(t), (c1 + t * (2.0 * c2 + t * 3.0 * c3)) * (1.0 / STEP))
+    }
+
+    /// Second and third derivative by the shift.
+    #[inline]
+    pub fn bends(&self, t: f64) -> [f64; 2] {
+        let [_, _, c2, c3] = self.0;
+        let scale = 1.0 / (STEP * STEP);
+        [(2.0 * c2 + t * 6.0 * c3) * scale, 6.0 * c3 * (scale / STEP)]
     }
 }
 
@@ -110,22 +118,42 @@ impl YawArms {
 
 /// The rows of one patch.
 fn rows(pair: &ProfilePair, track: &[Touch], level: f64) -> Vec<Row> {
-    let mut rows: Vec<Row> = track.iter().map(|touch| row(pair, touch, level)).collect();
-    for i in 1..track.len().saturating_sub(1) {
-        let central =
-            |value: fn(&Touch) -> f64| (value(&track[i + 1]) - value(&track[i - 1])) / (2.0 * STEP);
-        rows[i].roll.1 = central(|touch| touch.roll);
-        for load in [0, 1] {
-            let stiffness = [i - 1, i, i + 1].map(|k| rows[k].stiffness[load].0);
-            rows[i].stiffness[load].1 = monotone(stiffness);
+    let light: Vec<_> = track.iter().map(|touch| touch.hertz(pair.nominal_radius)).collect();
+    let loaded: Vec<_> =
+        track.iter().map(|touch| touch.loaded_hertz(pair.nominal_radius)).collect();
+    let drop: Vec<Node> = track.iter().map(|touch| (touch.drop - level, touch.slope)).collect();
+    let roll = nodes(track.iter().map(|touch| touch.roll), central);
+    let stiffness = [&light, &loaded]
+        .map(|contacts| nodes(contacts.iter().map(|contact| contact.stiffness), monotone));
+    let row = |i: usize| {
+        // The last row is never a way to another.
+        let next = (i + 1).min(track.len() - 1);
+        let cubic = |nodes: &[Node]| Cubic::new(nodes[i], nodes[next]);
+        let (first, last) = (i.saturating_sub(WITHIN), (i + WITHIN).min(track.len() - 1));
+        Row {
+            drop: cubic(&drop),
+            roll: cubic(&roll),
+            stiffness: stiffness.each_ref().map(|nodes| cubic(nodes)),
+            linear: linear(&track[i], &light[i], loaded[i].stiffness_root),
+            near: track[first..=last].iter().any(|touch| touch.share > 0.0),
         }
+    };
+    (0..track.len()).map(row).collect()
+}
+
+/// Values with derivatives that a `rule` makes of each and its neighbours; none at both ends.
+fn nodes(values: impl Iterator<Item = f64>, rule: fn([f64; 3]) -> f64) -> Vec<Node> {
+    let values: Vec<f64> = values.collect();
+    let mut nodes: Vec<Node> = values.iter().map(|value| (*value, 0.0)).collect();
+    for (i, three) in values.windows(3).enumerate() {
+        nodes[i + 1].1 = rule([three[0], three[1], three[2]]);
     }
-    let exists: Vec<bool> = rows.iter().map(|row| row.stiffness[0].0 > 0.0).collect();
-    for (i, row) in rows.iter_mut().enumerate() {
-        let last = (i + WITHIN).min(exists.len() - 1);
-        row.near = exists[i.saturating_sub(WITHIN)..=last].contains(&true);
-    }
-    rows
+    nodes
+}
+
+/// Derivative at the middle of three values by the outer ones.
+fn central([before, _, after]: [f64; 3]) -> f64 {
+    (after - before) / (2.0 * STEP)
 }
 
 /// Derivative at the middle of three values with which a cubic stays between them (Fritsch and
@@ -135,29 +163,21 @@ fn monotone([before, here, after]: [f64; 3]) -> f64 {
     if left * right > 0.0 { 2.0 * left * right / ((left + right) * STEP) } else { 0.0 }
 }
 
-/// The row of one contact, without the derivatives that take its neighbours.
-fn row(pair: &ProfilePair, touch: &Touch, level: f64) -> Row {
-    let hertz = touch.hertz(pair.nominal_radius);
-    let loaded = touch.loaded_hertz(pair.nominal_radius);
-    let a_over_b = hertz.semi_axis_rolling / hertz.semi_axis_lateral;
+/// The values of a row between which the table is linear.
+fn linear(touch: &Touch, light: &UnitContact, loaded_root: f64) -> [f64; LINEAR] {
+    let a_over_b = light.semi_axis_rolling / light.semi_axis_lateral;
     let kalker = CreepCoefficients::new(a_over_b, STEEL.poisson_ratio);
-    Row {
-        drop: (touch.drop - level, touch.slope),
-        roll: (touch.roll, 0.0),
-        stiffness: [(hertz.stiffness, 0.0), (loaded.stiffness, 0.0)],
-        linear: [
-            touch.wheel_height,
-            touch.wheel_lateral,
-            touch.rail_lateral,
-            hertz.semi_axis_rolling,
-            hertz.semi_axis_lateral,
-            hertz.stiffness_root,
-            loaded.stiffness_root,
-            kalker.c11,
-            kalker.c22,
-            kalker.c23,
-            kalker.c33,
-        ],
-        near: false,
-    }
+    [
+        touch.wheel_height,
+        touch.wheel_lateral,
+        touch.rail_lateral,
+        light.semi_axis_rolling,
+        light.semi_axis_lateral,
+        light.stiffness_root,
+        loaded_root,
+        kalker.c11,
+        kalker.c22,
+        kalker.c23,
+        kalker.c33,
+    ]
 }

@@ -68,8 +68,8 @@ pub(super) struct Touch {
     pub drop: f64,
     /// d drop / d shift.
     pub slope: f64,
-    /// - d drop / d roll of the wheel about the middle of its running circle, in m; the shift is that at
-    /// the height of the rail's top.
+    /// How far the contact goes down when the wheel rolls about the middle of its running circle, in
+    /// m/rad; the shift is that at the height of the rail's top.
     pub roll: f64,
     /// Place on the wheel from the running circle, in m.
     pub wheel_lateral: f64,
