@@ -15,7 +15,7 @@
 //! same table serves the left and the right wheel, and a mirrored pair of wheels gives mirrored
 //! numbers bit by bit.
 //!
-//! A step needs only [`GeometryTable::patch`], [`PatchAt::point`], [`ContactPoint::pressed`] and
+//! A step needs only [`GeometryTable::patch`], [`PatchAt::pressed`], [`ContactPoint::pressed`] and
 //! [`CreepLaw::force`]; none of them allocates, locks or fails.
 
 mod creep;
@@ -36,7 +36,8 @@ pub use error::ContactError;
 pub use geometry::conicity::EquivalentConicity;
 pub use geometry::contact_point::{ContactPatch, ContactPoint};
 pub use geometry::pair::ProfilePair;
-pub use geometry::table::{GeometryTable, PatchAt, RowPlace};
+pub use geometry::patch_at::{PatchAt, PressedPatch, RowPlace, WheelPlace};
+pub use geometry::table::GeometryTable;
 pub use geometry::wheelset::{WheelContact, WheelsetGeometry, wheelset_geometry};
 pub use material::{Material, STEEL};
 pub use profile::cone::Cone;

@@ -137,7 +137,7 @@ impl BodyState {
         Seen {
             displacement: placement.offset + placement.out(&local) - at_rest,
             rotation: self.rotation + placement.turn,
-            velocity: placement.out(&self.velocity),
+            velocity: placement.velocity_out(&self.velocity),
             angular_velocity: placement.out(&angular_velocity),
         }
     }

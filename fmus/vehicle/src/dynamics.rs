@@ -269,7 +269,7 @@ impl Dynamics {
         for (i, body) in structure.bodies.iter().enumerate() {
             let (wrench, placement) = (&mut self.wrenches[i], &self.placements[i]);
             let own = self.state.bodies[i].frame_forces(body, &self.frames[i]);
-            wrench.force = placement.back(&wrench.force) + own.force;
+            wrench.force = placement.force_back(&wrench.force) + own.force;
             wrench.moment = placement.back(&wrench.moment) + own.moment;
             if body.turns {
                 // Axle boxes do not turn with the wheels.

@@ -82,10 +82,23 @@ impl Placement {
     }
 
     /// Components in the placed frame of a vector given in the other one; the transpose of
-    /// [`Self::out`], so that a force has the same power in both.
+    /// [`Self::out`], so that a moment has the same power in both.
     #[inline]
     pub fn back(&self, vector: &Vector3<f64>) -> Vector3<f64> {
         vector - self.turn.cross(vector)
+    }
+
+    /// As [`Self::out`] to second order in the turn, for a velocity: across the frames even a small part
+    /// of the speed of travel is much for a damper.
+    #[inline]
+    pub fn velocity_out(&self, velocity: &Vector3<f64>) -> Vector3<f64> {
+        velocity + self.turn.cross(&(velocity + 0.5 * self.turn.cross(velocity)))
+    }
+
+    /// The transpose of [`Self::velocity_out`], for a force.
+    #[inline]
+    pub fn force_back(&self, force: &Vector3<f64>) -> Vector3<f64> {
+        force - self.turn.cross(&(force - 0.5 * self.turn.cross(force)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! One contact of a wheel with its rail: how hard it presses, and how it slips.
 
-use contact::{ContactPoint, CreepForces, CreepLaw, PatchAt};
+use contact::{CreepForces, CreepLaw, PressedPatch, WheelPlace};
 
 use crate::body::BodyState;
 use crate::rows::{ContactMotion, Rows};
@@ -14,6 +14,8 @@ pub struct Patch {
     pub number: usize,
     /// Elastic approach along the normal, m, positive (eq. 17).
     pub approach: f64,
+    /// Elastic energy, J.
+    pub elastic_energy: f64,
     /// Normal force without damping, N (eq. 18).
     pub elastic_force: f64,
     /// How it moves with the wheelset.
@@ -54,37 +56,37 @@ pub struct WheelMotion<'a> {
     pub velocities: &'a Six,
     /// Speed of travel, m/s.
     pub speed: f64,
+    /// Rotation of the wheelset's frame about z by distance travelled, rad/m.
+    pub turning: f64,
 }
 
 impl WheelMotion<'_> {
-    /// How far a contact has sunk below the place where it first touches, m; negative above it.
+    /// Where the wheel is over its rail (eq. 16).
     #[inline]
-    pub fn sunk(&self, contact: &PatchAt) -> f64 {
-        let (sign, roll) = (self.side.sign(), self.state.rotation.x);
-        let across = sign * (self.data.half_distance + contact.wheel_lateral());
-        let descent = self.state.position.z + across * roll;
-        // The table's shift is that of the running circle's height (eq. 16); the contact lies lower.
-        let lower = sign * roll * contact.radius_change();
-        descent - contact.drop + contact.slope * lower
+    pub fn place(&self) -> WheelPlace {
+        let (sign, data, state) = (self.side.sign(), self.data, self.state);
+        let roll = sign * state.rotation.x;
+        WheelPlace {
+            shift: sign * state.position.y - data.radius * roll,
+            descent: state.position.z + data.half_distance * roll,
+            roll,
+            yaw_squared: state.rotation.z * state.rotation.z,
+        }
     }
 }
 
 impl Patch {
-    /// The contact `number` with this geometry, `sunk` (m) into the rail.
+    /// The contact `number` that presses so.
     #[inline]
     pub fn new(
         number: usize,
-        point: &ContactPoint,
-        sunk: f64,
+        pressed: &PressedPatch,
         wheel: &WheelMotion,
         creep: &CreepLaw,
     ) -> Self {
-        let WheelMotion { side, data, state, .. } = wheel;
-        let sign = side.sign();
-        let approach = sunk * point.cos_angle;
-        let radius = data.radius + point.radius_change + approach * point.cos_angle;
-        let across = sign * (data.half_distance + point.wheel_lateral);
-        let rows = Rows::new(point, sign, radius, across, &state.rotation);
+        let PressedPatch { point, approach, .. } = pressed;
+        let (data, approach) = (wheel.data, *approach);
+        let rows = Rows::new(pressed, wheel);
         let motion = rows.motion(wheel.velocities);
         let elastic_force = point.hertz.normal_force(approach);
         let normal_damping = elastic_force * data.damping;
@@ -98,6 +100,7 @@ impl Patch {
         Self {
             number,
             approach,
+            elastic_energy: pressed.energy,
             elastic_force,
             rows,
             motion,
@@ -110,10 +113,5 @@ impl Patch {
     /// Contact angle, rad, positive as on a tread.
     pub fn angle(&self) -> f64 {
         -self.slope.atan()
-    }
-
-    /// Elastic energy of the contact, J: the integral of the normal force over the approach.
-    pub fn elastic_energy(&self) -> f64 {
-        0.4 * self.elastic_force * self.approach
     }
 }

@@ -5,10 +5,9 @@
 //! their transposes carry the forces back, so that force and slip have the same power. Of each row
 //! only the entries that are not zero are kept, at the places below.
 
-use contact::{ContactPoint, SlipVelocity};
-use nalgebra::Vector3;
+use contact::{PressedPatch, SlipVelocity};
 
-use crate::patch::Linearised;
+use crate::patch::{Linearised, WheelMotion};
 use crate::six::{Six, SixBySix, add, add_outer, dot};
 
 /// Places of the row of the longitudinal slip among the six velocities.
@@ -18,7 +17,7 @@ const LONGITUDINAL: [usize; 4] = [0, 1, 4, 5];
 const LATERAL: [usize; 6] = [0, 1, 2, 3, 4, 5];
 
 /// Places of the row of the approach.
-const NORMAL: [usize; 4] = [1, 2, 3, 5];
+const NORMAL: [usize; 5] = [0, 1, 2, 3, 5];
 
 /// Places of the row of the rotation about the normal.
 const SPIN: [usize; 2] = [4, 5];
@@ -46,23 +45,25 @@ pub struct ContactMotion {
 }
 
 impl Rows {
-    /// The rows of a contact of a wheel on the side of `sign` (-1 left, 1 right) that rolls on
-    /// `radius` (m), `across` (m) from the middle of a wheelset with this `rotation` (rad).
+    /// The rows of a contact that presses so on a wheel that moves so.
     #[inline]
-    pub fn new(
-        point: &ContactPoint,
-        sign: f64,
-        radius: f64,
-        across: f64,
-        rotation: &Vector3<f64>,
-    ) -> Self {
-        let (roll, yaw) = (rotation.x, rotation.z);
+    pub fn new(pressed: &PressedPatch, wheel: &WheelMotion) -> Self {
+        let (PressedPatch { point, .. }, data) = (pressed, wheel.data);
+        let sign = wheel.side.sign();
+        let (roll, yaw) = (wheel.state.rotation.x, wheel.state.rotation.z);
         let (sin, cos) = (sign * point.sin_angle, point.cos_angle);
+        let radius = data.radius + point.radius_change + pressed.approach * cos;
+        let across = sign * (data.half_distance + point.wheel_lateral);
         // Under yaw the contact lies ahead of the axle or behind it (eq. 17a); tan = -slope. There it
         // is less far below the axle.
         let turned = -sign * yaw * point.slope;
         let ahead = radius * turned;
         let below = radius * (1.0 - 0.5 * turned * turned);
+        // The derivatives of the place in the table (eq. 16), so that the normal force does the work of
+        // the elastic energy.
+        let (by_shift, by_descent) = (sign * pressed.by_shift, pressed.by_descent);
+        let arm = sign * (data.half_distance + pressed.roll_arm);
+        let by_yaw = 2.0 * yaw * pressed.yaw_arm * by_descent;
         Self {
             longitudinal: [1.0, yaw, below, -across],
             lateral: [
@@ -73,7 +74,13 @@ impl Rows {
                 ahead * sin,
                 ahead * cos,
             ],
-            normal: [sin, cos, -radius * sin + across * cos, (ahead - yaw * across) * sin],
+            normal: [
+                -wheel.turning * by_yaw,
+                by_shift,
+                by_descent,
+                arm * by_descent - data.radius * by_shift,
+                by_yaw,
+            ],
             spin: [sin + roll * cos, cos],
         }
     }
@@ -107,12 +114,12 @@ impl Rows {
 
     /// Lateral force in the plane of the rails of creep and normal force, N.
     pub fn across(&self, lateral: f64, normal: f64) -> f64 {
-        lateral * self.lateral[1] - normal * self.normal[0]
+        lateral * self.lateral[1] - normal * self.normal[1]
     }
 
     /// Force upwards, square to the plane of the rails, of creep and normal force, N.
     pub fn upwards(&self, lateral: f64, normal: f64) -> f64 {
-        normal * self.normal[1] - lateral * self.lateral[2]
+        normal * self.normal[2] - lateral * self.lateral[2]
     }
 }
 

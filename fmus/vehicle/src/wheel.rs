@@ -67,20 +67,18 @@ impl Wheel {
     /// empty wheel, as copying one took a good part of a step.)
     #[inline]
     pub fn touch(&mut self, table: &GeometryTable, motion: &WheelMotion, creep: &CreepLaw) {
-        let WheelMotion { side, data, state, .. } = motion;
-        // Eq. 16: shift towards the flange.
-        let shift = side.sign() * (state.position.y - data.radius * state.rotation.x);
-        let yaw_squared = state.rotation.z * state.rotation.z;
-        let row = table.row(shift);
+        let place = motion.place();
+        let row = table.row(place.shift);
+        self.beyond = row.beyond();
         let mut highest = f64::NEG_INFINITY;
         for number in 0..table.patches() {
-            let Some(contact) = table.patch(number, row, yaw_squared) else {
+            let Some(mut contact) = table.patch(number, row, &place) else {
                 continue;
             };
-            self.beyond |= contact.beyond();
-            let sunk = motion.sunk(&contact);
+            let sunk = contact.sunk(&place);
             if sunk > 0.0 {
-                self.patches.push(Patch::new(number, &contact.point(), sunk, motion, creep));
+                let pressed = contact.pressed(&place);
+                self.patches.push(Patch::new(number, &pressed, motion, creep));
             } else if sunk > highest {
                 highest = sunk;
                 self.nearest = contact.rail_lateral();

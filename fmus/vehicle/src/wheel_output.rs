@@ -98,7 +98,7 @@ impl WheelOutput {
         let (mut guiding, mut vertical, mut elastic_energy, mut weights) = (0.0, 0.0, 0.0, 0.0);
         self.clear_patches();
         for patch in wheel.patches() {
-            elastic_energy += patch.elastic_energy();
+            elastic_energy += patch.elastic_energy;
             if patch.forces.normal <= 0.0 {
                 continue;
             }

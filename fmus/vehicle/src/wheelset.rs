@@ -61,6 +61,7 @@ impl WheelsetStep<'_> {
                 state: &rail.seen_from(state),
                 velocities: &rail.against(&against),
                 speed: state.velocity.x,
+                turning: self.frame.rotation.z,
             };
             wheel.touch(&self.data.table, &motion, self.creep);
             for patch in wheel.patches_mut() {

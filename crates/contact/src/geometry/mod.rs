@@ -6,16 +6,21 @@
 //! | `search.rs` | the quasi-elastic search for the contacts at one placement |
 //! | `lobes.rs` | which parts of the profile touch apart from each other |
 //! | `slots.rs` | contacts followed from shift to shift |
+//! | `corners.rs` | floor and wall of a path's corner as contacts of their own |
 //! | `contact_point.rs` | what is known at a contact |
-//! | `table.rs` | contacts over the lateral shift, interpolated |
+//! | `table.rs`, `row.rs` | contacts over the lateral shift, interpolated |
+//! | `patch_at.rs` | a patch under a wheel: where it touches, where and how it presses |
 //! | `shared.rs` | one table for each pair in a process |
 //! | `wheelset.rs` | both wheels of a rolled wheelset, for validation |
 //! | `conicity.rs` | the equivalent conicity that follows |
 
 pub(crate) mod conicity;
 pub(crate) mod contact_point;
+mod corners;
 mod lobes;
 pub(crate) mod pair;
+pub(crate) mod patch_at;
+mod row;
 mod search;
 mod shared;
 mod slots;

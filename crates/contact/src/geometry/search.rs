@@ -33,6 +33,10 @@ use std::f64::consts::TAU;
 /// shift from tread to flange root, 0.7 mm on the tread.
 pub(super) const SOFTNESS: f64 = 5e-6;
 
+/// Approach in m of a loaded contact: that of a wheel under 110 kN. A contact so pressed covers both
+/// places between which the least gap jumps, and its stiffness hardly changes there.
+const LOADED: f64 = 100e-6;
+
 /// Distance of the samples of both profiles, in m. It must resolve the weights on the flange, whose
 /// standard deviation there is sqrt(s / g'') = 0.03 mm.
 const SAMPLE_STEP: f64 = 1e-5;
@@ -64,8 +68,9 @@ pub(super) struct Touch {
     pub drop: f64,
     /// d drop / d shift.
     pub slope: f64,
-    /// d drop / d yaw², in m.
-    pub yaw: f64,
+    /// How far the contact goes down when the wheel rolls about the middle of its running circle, in
+    /// m/rad; the shift is that at the height of the rail's top.
+    pub roll: f64,
     /// Place on the wheel from the running circle, in m.
     pub wheel_lateral: f64,
     /// Height of the wheel's profile there: the rolling radius above the nominal one, in m.
@@ -74,6 +79,8 @@ pub(super) struct Touch {
     pub rail_lateral: f64,
     /// Curvature of rail and wheel together across the contact, in 1/m.
     pub relative_curvature: f64,
+    /// The same of the parabola with as much elastic energy under load, in 1/m.
+    pub loaded_curvature: f64,
     /// Share of its own stiffness that the contact has beside its neighbours, 0 to 1 (`lobes.rs`).
     pub share: f64,
     /// Lateral places on the wheel between which the contact lies, in m.
@@ -83,9 +90,18 @@ pub(super) struct Touch {
 impl Touch {
     /// Ellipse and stiffness, with its share, of the contact of a wheel of `nominal_radius` (m).
     pub(super) fn hertz(&self, nominal_radius: f64) -> UnitContact {
+        self.of_curvature(self.relative_curvature, nominal_radius)
+    }
+
+    /// The same of the contact under load.
+    pub(super) fn loaded_hertz(&self, nominal_radius: f64) -> UnitContact {
+        self.of_curvature(self.loaded_curvature, nominal_radius)
+    }
+
+    fn of_curvature(&self, lateral: f64, nominal_radius: f64) -> UnitContact {
         let cos_angle = 1.0 / (1.0 + self.slope * self.slope).sqrt();
         let rolling = 0.5 * cos_angle / (nominal_radius + self.wheel_height);
-        UnitContact::new(rolling, 0.5 * self.relative_curvature, &STEEL).shared(self.share)
+        UnitContact::new(rolling, 0.5 * lateral, &STEEL).shared(self.share)
     }
 }
 
@@ -160,11 +176,12 @@ impl Search {
         let mut mean = Touch {
             drop: lobe.least,
             slope: 0.0,
-            yaw: 0.0,
+            roll: 0.0,
             wheel_lateral: 0.0,
             wheel_height: 0.0,
             rail_lateral: 0.0,
             relative_curvature: 0.0,
+            loaded_curvature: 0.0,
             share: 1.0,
             range: (self.wheel[lobe.begin].0, self.wheel[lobe.end - 1].0),
         };
@@ -179,11 +196,9 @@ impl Search {
                 continue;
             };
             let weight = (-excess).exp();
-            let bend = (self.pair.nominal_radius + point.height) * point.slope;
-            let aside = bend + 0.5 * (self.pair.running_circle() + lateral);
             sum += weight;
             mean.slope += weight * rail.slope;
-            mean.yaw -= weight * (rail.slope * aside - 0.5 * bend * point.slope);
+            mean.roll += weight * (lateral + point.height * rail.slope);
             mean.wheel_lateral += weight * lateral;
             mean.wheel_height += weight * point.height;
             mean.rail_lateral += weight * y;
@@ -192,13 +207,40 @@ impl Search {
         }
         mean.drop -= SOFTNESS * (sum * SAMPLE_STEP).ln();
         mean.slope /= sum;
-        mean.yaw /= sum;
+        mean.roll /= sum;
         mean.wheel_lateral /= sum;
         mean.wheel_height /= sum;
         mean.rail_lateral /= sum;
         width *= SAMPLE_STEP;
         mean.relative_curvature = TAU * SOFTNESS / (width * width);
+        mean.loaded_curvature = self.loaded_curvature(lobe, mean.slope, place);
         mean
+    }
+
+    /// Curvature of the parabola of the gap along the normal that stores as much energy as the lobe when
+    /// it is pressed to [`LOADED`]: in strips across the axle energy goes with the square of the overlap,
+    /// and for the gap B t² it is (16/15) approach^(5/2)/sqrt(B), as in Hertz's contact.
+    fn loaded_curvature(
+        &self,
+        lobe: &Lobe,
+        slope: f64,
+        place: &impl Fn(f64, &ProfilePoint) -> (f64, f64),
+    ) -> f64 {
+        let depth = LOADED * (1.0 + slope * slope).sqrt();
+        let samples = lobe.begin..lobe.end;
+        let mut energy = 0.0;
+        for (gap, (lateral, point)) in self.gaps[samples.clone()].iter().zip(&self.wheel[samples]) {
+            let overlap = depth - (gap - lobe.least);
+            if overlap <= 0.0 {
+                continue;
+            }
+            let (y, _) = place(*lateral, point);
+            if let Some(rail) = rail_at(&self.rail, self.rail_begin, y) {
+                energy += overlap * overlap / (1.0 + rail.slope * rail.slope).sqrt();
+            }
+        }
+        let root = 16.0 / 15.0 * LOADED.powf(2.5) / (energy * SAMPLE_STEP);
+        2.0 * root * root
     }
 }
 

@@ -142,6 +142,7 @@ impl Wheelset {
                 state: &placement.state,
                 velocities: &velocities(placement),
                 speed: SPEED,
+                turning: 0.0,
             };
             let mut wheel = Wheel::default();
             wheel.touch(&self.table, &motion, &self.creep);
