@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use arrow::array::{ArrayRef, Float64Array, RecordBatch};
-use arrow::datatypes::{DataType, Schema, SchemaRef};
+use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+use arrow_schema::{ArrowError, DataType, Schema, SchemaRef};
 
 use super::RecordingError;
 use super::accumulator::Accumulator;
@@ -142,7 +142,7 @@ impl SeriesWriter {
     }
 
     /// The buffered records from number `first` on as Arrow has them.
-    fn batch(&self, first: usize) -> Result<RecordBatch, arrow::error::ArrowError> {
+    fn batch(&self, first: usize) -> Result<RecordBatch, ArrowError> {
         let times = &self.times[first..];
         let count = times.len();
         let times = times.iter().flat_map(|&time| std::iter::repeat_n(time, self.rows));
