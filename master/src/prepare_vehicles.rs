@@ -27,6 +27,8 @@ struct VehicleFmu<'s> {
     names: &'s BTreeMap<String, String>,
     /// What the scenario sets in it.
     parameters: &'s BTreeMap<String, Value>,
+    /// Where in the scenario it says so.
+    key: String,
 }
 
 impl Builder<'_> {
@@ -54,7 +56,7 @@ impl Builder<'_> {
         let stated = &self.scenario.fmus.vehicle_at;
         let mut of_file: HashMap<&Path, Arc<Import>> = HashMap::new();
         let mut replacements = HashMap::new();
-        for other in stated {
+        for (i, other) in stated.iter().enumerate() {
             let import = match of_file.get(other.file.as_path()) {
                 Some(import) => Arc::clone(import),
                 None => Import::open(&other.file)?,
@@ -63,7 +65,8 @@ impl Builder<'_> {
             check_instances(&import, count)?;
             of_file.insert(&other.file, Arc::clone(&import));
             let (names, parameters) = (&other.names, &other.parameters);
-            replacements.insert(other.place, VehicleFmu { import, names, parameters });
+            let key = format!("fmus.vehicle_at[{i}].parameters");
+            replacements.insert(other.place, VehicleFmu { import, names, parameters, key });
         }
         Ok(replacements)
     }
@@ -75,7 +78,7 @@ impl Builder<'_> {
         let import = Import::open(file)?;
         check_instances(&import, count)?;
         let (names, parameters) = (&fmus.vehicle_names, &NO_PARAMETERS);
-        Ok(Some(VehicleFmu { import, names, parameters }))
+        Ok(Some(VehicleFmu { import, names, parameters, key: String::new() }))
     }
 
     /// Our FMU, packed for a type of vehicle.
@@ -83,17 +86,18 @@ impl Builder<'_> {
         let import = self.packed("vehicle", kind, |folder| {
             resources::write_vehicle(self.scenario, kind, folder)
         })?;
-        Ok(VehicleFmu { import, names: &OUR_NAMES, parameters: &NO_PARAMETERS })
+        let (names, parameters) = (&OUR_NAMES, &NO_PARAMETERS);
+        Ok(VehicleFmu { import, names, parameters, key: String::new() })
     }
 
     fn vehicle(&self, place: usize, fmu: &VehicleFmu<'_>) -> Result<Vehicle, PrepareError> {
-        let VehicleFmu { import, names, parameters } = fmu;
+        let VehicleFmu { import, names, parameters, key } = fmu;
         let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
         let ports = connect(import, &signals, names, "vehicle")?;
         let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
         let mut constants = vec![];
         for (name, value) in *parameters {
-            constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
+            constants.extend(set_parameter(unit.as_mut(), import, key, (name, value))?);
         }
         Ok(Vehicle {
             unit,
