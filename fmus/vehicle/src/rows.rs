@@ -58,10 +58,13 @@ impl Rows {
     ) -> Self {
         let (roll, yaw) = (rotation.x, rotation.z);
         let (sin, cos) = (sign * point.sin_angle, point.cos_angle);
-        // Under yaw the contact lies ahead of the axle or behind it (eq. 17a); tan = -slope.
-        let ahead = -sign * yaw * radius * point.slope;
+        // Under yaw the contact lies ahead of the axle or behind it (eq. 17a); tan = -slope. There it
+        // is less far below the axle.
+        let turned = -sign * yaw * point.slope;
+        let ahead = radius * turned;
+        let below = radius * (1.0 - 0.5 * turned * turned);
         Self {
-            longitudinal: [1.0, yaw, radius, -across],
+            longitudinal: [1.0, yaw, below, -across],
             lateral: [
                 -yaw * cos,
                 cos,

@@ -39,6 +39,9 @@ const LARGEST: f64 = 30.0;
 /// Least and greatest a/(a + b): ellipses of 1:24.
 const SHAPES: (f64, f64) = (0.04, 0.96);
 
+/// 1 over the range of shapes.
+const PER_SHAPES: f64 = 1.0 / (SHAPES.1 - SHAPES.0);
+
 /// Distance from the ends 0 and 1 at which ratios with a vanishing creepage are taken.
 const EDGE: f64 = 1e-3;
 
@@ -112,7 +115,7 @@ impl FastsimTable {
             inside / (1.0 + inside) * ((1.0 + LARGEST) / LARGEST),
             ny / (nx + ny + tiny),
             z / (slide + z + tiny),
-            (motion.a_over_b / (1.0 + motion.a_over_b) - SHAPES.0) / (SHAPES.1 - SHAPES.0),
+            (motion.a_over_b / (1.0 + motion.a_over_b) - SHAPES.0) * PER_SHAPES,
         ];
         let v = self.interpolated(places);
         let turn = 1.0_f64.copysign(motion.lateral * motion.spin);
