@@ -28,7 +28,7 @@ pub enum RunError {
         /// Scenario.
         file: String,
         /// Reason.
-        source: PrepareError,
+        source: Box<PrepareError>,
     },
     /// A package cannot be read or written, or does not fit its FMUs.
     #[error(transparent)]
@@ -77,7 +77,7 @@ pub enum RunError {
 impl RunError {
     /// What `map_err` needs for units of the scenario in this file.
     pub(crate) fn prepare(file: &Path) -> impl FnOnce(PrepareError) -> Self + '_ {
-        move |source| Self::Prepare { file: file.display().to_string(), source }
+        move |source| Self::Prepare { file: file.display().to_string(), source: source.into() }
     }
 
     /// A step that failed, in a run whose results are in this folder.
