@@ -37,6 +37,10 @@ const PHYSICS: [&str; 9] = [
     "crates/controller",
 ];
 
+/// The other packages.
+const OTHERS: [&str; 6] =
+    ["crates/fmu", "crates/field", "crates/tools", "master", "tests", "xtask"];
+
 #[test]
 fn physics_does_not_know_the_master_nor_its_tools() {
     let forbidden = ["hotfoot", "rayon", "arrow", "parquet", "clap", "indicatif", "zarrs", "zip"];
@@ -124,11 +128,62 @@ fn files_stay_short() {
 #[test]
 fn the_map_names_every_package() {
     let map = std::fs::read_to_string(root().join("docs/architecture.md")).unwrap();
-    let others = ["crates/fmu", "crates/field", "crates/tools", "master", "tests", "xtask"];
-    for package in PHYSICS.iter().chain(&others) {
+    for package in PHYSICS.iter().chain(&OTHERS) {
         assert!(
             map.contains(&format!("`{package}`")),
             "docs/architecture.md does not name {package}"
         );
     }
+}
+
+/// Cargo builds no test program of a target with `test = false` and runs no examples of a library with
+/// `doctest = false`, which saves time where there are none.
+#[test]
+fn no_test_stands_where_none_is_run() {
+    let of_models = ["vehicle", "longitudinal", "railheat", "synchronisation"];
+    let of_models = of_models.map(|model| format!("fmus/{model}/fmu"));
+    let packages = PHYSICS.iter().chain(&OTHERS).map(|package| (*package).to_owned());
+    for package in packages.chain(of_models) {
+        let folder = root().join(&package);
+        let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).unwrap();
+        let manifest: toml::Table = manifest.parse().unwrap();
+        let runs =
+            |target: &toml::Value, what| target.get(what).is_none_or(|key| key != &false.into());
+        let path = |target: &toml::Value| {
+            let path = target.get("path").and_then(|path| path.as_str());
+            folder.join(path.unwrap_or("src/lib.rs"))
+        };
+        for program in manifest.get("bin").into_iter().flat_map(|bins| bins.as_array().unwrap()) {
+            assert!(runs(program, "test") || !has_test(&path(program)), "{package}: {program}");
+        }
+        let Some(library) = manifest.get("lib") else { continue };
+        let mut files = vec![];
+        source_files(path(library).parent().unwrap(), &mut files);
+        for file in files {
+            assert!(runs(library, "test") || !has_test(&file), "{}", file.display());
+            assert!(runs(library, "doctest") || !has_example(&file), "{}", file.display());
+        }
+    }
+}
+
+fn has_test(file: &Path) -> bool {
+    let text = std::fs::read_to_string(file).unwrap();
+    text.lines().any(|line| line.trim() == "#[test]")
+}
+
+/// Whether a doc comment has a code block without a language, which is Rust.
+fn has_example(file: &Path) -> bool {
+    let text = std::fs::read_to_string(file).unwrap();
+    let comments = text.lines().filter_map(|line| {
+        let line = line.trim();
+        line.strip_prefix("//!").or(line.strip_prefix("///"))
+    });
+    let mut fences = comments.map(str::trim).filter(|line| line.starts_with("```"));
+    // Every other fence closes a block.
+    let begins = std::iter::from_fn(|| {
+        let begin = fences.next();
+        fences.next();
+        begin
+    });
+    begins.into_iter().any(|begin| begin == "```")
 }

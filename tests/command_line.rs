@@ -31,7 +31,35 @@ fn a_typo_is_answered_with_line_and_keys() {
 fn a_step_of_zero_is_answered_with_its_bound() {
     let mut scenario = SmallScenario::new(1.0);
     scenario.text = scenario.text.replace("step_s = 0.001", "step_s = 0.0");
-    assert_says(&refusal(&scenario.run(&[])), &["step_s: lower than 0.000001"]);
+    assert_says(&refusal(&scenario.run(&[])), &["step_s = 0.0: lower than 0.000001"]);
+}
+
+/// The times of the command line go before those of the file: 0.1 s in steps of 2 ms, recorded every 50 ms.
+#[test]
+fn times_of_the_command_line_are_those_of_the_run() {
+    let mut scenario = SmallScenario::new(1.0);
+    scenario.leave_out_heat();
+    scenario.run_well(&["--duration", "0.1", "--step", "0.002", "--interval", "0.05"]);
+    let manifest = std::fs::read_to_string(scenario.results().join("manifest.toml")).unwrap();
+    let manifest: toml::Table = manifest.parse().unwrap();
+    assert_eq!(manifest["run"]["step_s"].as_float(), Some(0.002));
+    let series = scenario.results().join("series");
+    let table = hotfoot::recording::SeriesReader::open(&series, "vehicles").unwrap();
+    let first = [("vehicle", hotfoot::recording::KeyValue::Integer(1))];
+    let times = table.read("time", &first).unwrap();
+    assert_eq!(times.len(), 3, "{times:?}");
+    assert!((times[1] - 0.05).abs() < 1e-12 && (times[2] - 0.1).abs() < 1e-12, "{times:?}");
+}
+
+#[test]
+fn times_of_the_command_line_that_do_not_fit_are_named() {
+    let scenario = SmallScenario::new(1.0);
+    let message = refusal(&scenario.run(&["--step", "0.003"]));
+    let wanted =
+        "with --step 0.003: record.interval_s: 0.1 s is not a multiple of step_s = 0.003 s";
+    assert_says(&message, &["scenario.toml", wanted]);
+    let message = refusal(&scenario.run(&["--interval", "0"]));
+    assert_says(&message, &["--interval 0", "greater than zero"]);
 }
 
 #[test]
@@ -156,7 +184,7 @@ fn a_parameter_of_the_wrong_type_is_answered_with_the_right_one() {
     let message = refusal(&scenario.run(&[]));
     assert_says(
         &message,
-        &["heat.parameters", "\"train.shade\" = 0.5", "a Boolean: true or false"],
+        &["scenario.toml: heat.parameters", "\"train.shade\" = 0.5", "a Boolean: true or false"],
     );
 }
 

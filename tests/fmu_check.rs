@@ -30,6 +30,20 @@ fn our_fmus_give_their_reference_result_again() {
     }
 }
 
+/// Every link of the documentation that an FMU carries leads to a place of the page, or to the web.
+#[test]
+fn links_in_the_packed_equations_lead_somewhere() {
+    for model in ["vehicle", "longitudinal", "railheat", "synchronisation"] {
+        let page = FmuCopy::of(model).text("documentation/equations.html");
+        for link in page.split("href=\"").skip(1) {
+            let link = link.split('"').next().unwrap();
+            let place = link.strip_prefix('#').map(|id| format!("id=\"{id}\""));
+            let leads = place.map_or(link.starts_with("https://"), |place| page.contains(&place));
+            assert!(leads, "{model}: the link {link} leads nowhere");
+        }
+    }
+}
+
 /// A result that is not that of the FMU is noticed, with signal, time and difference.
 #[test]
 fn another_reference_result_is_noticed() {

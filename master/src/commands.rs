@@ -9,6 +9,7 @@ use miette::{IntoDiagnostic, Result, miette};
 
 use crate::pack::{self, Binary};
 use crate::run::{self, Options};
+use crate::scenario::Times;
 use crate::ssp::{self, SystemOptions};
 use crate::{archive, expected, recording, reference, report, scenario, supervise, workplace};
 
@@ -26,13 +27,13 @@ pub struct RunArguments {
     /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
     #[arg(long)]
     fmus: Option<PathBuf>,
-    /// Simulated time in place of the scenario's, s
+    /// Simulated time in place of the scenario's or package's, s
     #[arg(long)]
     duration: Option<f64>,
-    /// Of an SSP package: step of the exchange in place of the package's, s
+    /// Step of the exchange in place of the scenario's or package's, s
     #[arg(long)]
     step: Option<f64>,
-    /// Of an SSP package: time between two records, s; left out: 0.1
+    /// Time between two records in place of the scenario's, s; of an SSP package, left out: 0.1
     #[arg(long)]
     interval: Option<f64>,
     /// Show no progress
@@ -117,7 +118,11 @@ fn run_here(arguments: &RunArguments) -> Result<()> {
         threads: arguments.threads,
         results: arguments.results.clone(),
         fmus: arguments.fmus.clone().unwrap_or_else(default_fmus),
-        duration: arguments.duration,
+        times: Times {
+            duration: arguments.duration,
+            step: arguments.step,
+            interval: arguments.interval,
+        },
         quiet: arguments.quiet,
     };
     let finished = run::run(&arguments.scenario, &options)?;

@@ -23,8 +23,13 @@ pub enum RunError {
     #[diagnostic(transparent)]
     Scenario(#[from] ScenarioError),
     /// The scenario's units cannot be set up.
-    #[error(transparent)]
-    Prepare(#[from] PrepareError),
+    #[error("scenario {file}: {source}")]
+    Prepare {
+        /// Scenario.
+        file: String,
+        /// Reason.
+        source: Box<PrepareError>,
+    },
     /// A package cannot be read or written, or does not fit its FMUs.
     #[error(transparent)]
     Ssp(#[from] SspError),
@@ -70,6 +75,11 @@ pub enum RunError {
 }
 
 impl RunError {
+    /// What `map_err` needs for units of the scenario in this file.
+    pub(crate) fn prepare(file: &Path) -> impl FnOnce(PrepareError) -> Self + '_ {
+        move |source| Self::Prepare { file: file.display().to_string(), source: source.into() }
+    }
+
     /// A step that failed, in a run whose results are in this folder.
     pub(crate) fn step(failed: FailedStep, results: &Path) -> Self {
         let FailedStep { time, source } = failed;

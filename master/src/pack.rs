@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::archive::{self, ArchiveError};
 use crate::check::TERMINALS;
-use crate::documentation::{EQUATIONS, INDEX, equations_page, with_link_to_equations};
+use crate::documentation::{EQUATIONS, INDEX, Text, equations_page, with_link_to_equations};
 use crate::file_error::FileError;
 use crate::fmi::{self, ImportError, describe};
 
@@ -77,15 +77,18 @@ pub fn pack(binary: Binary<'_>, resources: &Path, target: &Path) -> Result<(), P
 ///
 /// # Errors
 /// When a text or the FMU cannot be read or written.
-pub fn add_equations(fmu: &Path, texts: &[PathBuf]) -> Result<(), PackError> {
-    let read = |file: &PathBuf| fs::read_to_string(file).map_err(FileError::at(file));
-    let text = texts.iter().map(read).collect::<Result<Vec<_>, _>>()?.join("\n");
+pub fn add_equations(fmu: &Path, files: &[PathBuf]) -> Result<(), PackError> {
+    let read = |file: &PathBuf| {
+        let markdown = fs::read_to_string(file).map_err(FileError::at(file))?;
+        Ok(Text { file: file.clone(), markdown })
+    };
+    let texts = files.iter().map(read).collect::<Result<Vec<_>, FileError>>()?;
     let folder = tempfile::tempdir().map_err(FileError::at(fmu))?;
     archive::unpack(fmu, folder.path())?;
     let index = folder.path().join(INDEX);
     let page = fs::read_to_string(&index).map_err(FileError::at(&index))?;
     write(&index, with_link_to_equations(&page).as_bytes())?;
-    write(&folder.path().join(EQUATIONS), equations_page(&text).as_bytes())?;
+    write(&folder.path().join(EQUATIONS), equations_page(&texts).as_bytes())?;
     Ok(archive::pack(folder.path(), fmu)?)
 }
 

@@ -9,15 +9,16 @@ use crate::resources::parameter_file;
 use crate::scenario::Value;
 use crate::unit::Unit;
 
-/// Sets a parameter as the scenario says. An input is given back with its value, since an FMU
+/// Sets a parameter as the scenario says in the table `key`. An input is given back with its value, since an FMU
 /// takes inputs only when it is being initialised (FMI 2.0 §4.2.4).
 pub(crate) fn set_parameter(
     unit: &mut dyn Unit,
     import: &Import,
-    name: &str,
-    value: &Value,
+    key: &str,
+    (name, value): (&str, &Value),
 ) -> Result<Option<(u32, f64)>, PrepareError> {
     let wrong = |problem: String| PrepareError::Parameter {
+        key: key.to_owned(),
         name: name.to_owned(),
         value: value.to_string(),
         problem,

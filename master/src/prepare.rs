@@ -67,9 +67,11 @@ pub enum PrepareError {
         /// Instances wanted.
         count: usize,
     },
-    /// A parameter of the rail's FMU is not what the scenario takes it for.
-    #[error("heat.parameters: \"{name}\" = {value}: {problem}")]
+    /// A parameter of an FMU is not what the scenario takes it for.
+    #[error("{key}: \"{name}\" = {value}: {problem}")]
     Parameter {
+        /// The table of the scenario in which it stands.
+        key: String,
         /// Its name.
         name: String,
         /// The scenario's value, as it stands there.

@@ -54,7 +54,8 @@ impl Builder<'_> {
         self.set_rail_parameters(heat, side, unit.as_mut())?;
         let mut constants = vec![];
         for (name, value) in &heat.parameters {
-            constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
+            let parameter = (name.as_str(), value);
+            constants.extend(set_parameter(unit.as_mut(), import, "heat.parameters", parameter)?);
         }
         let every = heat.step_s.map_or(1, |step| (step / self.scenario.step_s).round() as u64);
         let mut rail = Rail::new(unit, inputs, wheelsets.to_vec(), side, every);

@@ -13,12 +13,9 @@ use crate::parameters::set_parameter;
 use crate::prepare::{Builder, PrepareError, check_instances, connect};
 use crate::resources;
 use crate::roles::{self, wheelset_count};
-use crate::scenario::Value;
 
 /// The names of an FMU that has ours.
 static OUR_NAMES: BTreeMap<String, String> = BTreeMap::new();
-/// No parameters.
-static NO_PARAMETERS: BTreeMap<String, Value> = BTreeMap::new();
 
 /// An FMU for vehicles.
 struct VehicleFmu<'s> {
@@ -83,20 +80,18 @@ impl Builder<'_> {
         Ok(VehicleFmu { import, names: &OUR_NAMES })
     }
 
-    /// What the scenario sets in the FMU at a place.
-    fn parameters_at(&self, place: usize) -> &BTreeMap<String, Value> {
-        let stated = self.scenario.fmus.vehicle_at.iter().find(|other| other.place == place);
-        stated.map_or(&NO_PARAMETERS, |other| &other.parameters)
-    }
-
     fn vehicle(&self, place: usize, fmu: &VehicleFmu<'_>) -> Result<Vehicle, PrepareError> {
         let VehicleFmu { import, names } = fmu;
         let signals = roles::vehicle_signals(wheelset_count(import.interface(), names));
         let ports = connect(import, &signals, names, "vehicle")?;
         let mut unit = self.instance(import, &format!("vehicle[{place}]"))?;
         let mut constants = vec![];
-        for (name, value) in self.parameters_at(place) {
-            constants.extend(set_parameter(unit.as_mut(), import, name, value)?);
+        let stated = self.scenario.fmus.vehicle_at.iter().enumerate();
+        for (i, other) in stated.filter(|(_, other)| other.place == place) {
+            let key = format!("fmus.vehicle_at[{i}].parameters");
+            for (name, value) in &other.parameters {
+                constants.extend(set_parameter(unit.as_mut(), import, &key, (name, value))?);
+            }
         }
         Ok(Vehicle {
             unit,

@@ -13,7 +13,7 @@ use crate::prepare::{Folders, prepare};
 use crate::prepare_rail::Extent;
 use crate::progress::Progress;
 use crate::report::{self, MainFigure};
-use crate::scenario::{self, Scenario};
+use crate::scenario::{self, Scenario, Times};
 use crate::start::{StartError, start_of};
 use crate::stepping::Stepping;
 use crate::traffic::Traffic;
@@ -29,8 +29,8 @@ pub struct Options {
     pub results: Option<PathBuf>,
     /// Folder of Hotfoot's own FMUs.
     pub fmus: PathBuf,
-    /// Simulated time in place of the scenario's, s.
-    pub duration: Option<f64>,
+    /// Times in place of the scenario's.
+    pub times: Times,
     /// No progress bar.
     pub quiet: bool,
 }
@@ -41,15 +41,15 @@ pub struct Options {
 /// When the scenario is wrong or a unit fails.
 pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     let (mut scenario, file, text) = scenario::load(path)?;
-    if let Some(duration) = options.duration {
-        RunError::check_time("--duration", duration)?;
-        scenario.duration_s = duration;
+    for (option, value) in options.times.stated() {
+        RunError::check_time(option, value)?;
     }
+    options.times.replace_in(&mut scenario, &file)?;
     let Workplace { threads, pool, results } =
         Workplace::open(options.threads, options.results.as_deref(), &file)?;
     let folders = Folders { fmus: options.fmus.clone(), results };
 
-    let mut lockstep = prepare(&scenario, &folders)?;
+    let mut lockstep = prepare(&scenario, &folders).map_err(RunError::prepare(&file))?;
     let mut manifest = Manifest::new(&scenario, text, threads, &lockstep);
     pool.install(|| {
         run_prepared(&scenario, &mut lockstep, &mut manifest, &folders.results, options.quiet)

@@ -1,6 +1,6 @@
 //! The Python environment of the FMPy tests.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::Result;
@@ -11,8 +11,8 @@ use crate::shell::{output, run, target};
 const REQUIREMENTS: &str = "tests/python/requirements.txt";
 
 /// The folder of libclang in the environment, for crates that generate their bindings.
-pub fn libclang() -> Result<PathBuf> {
-    let mut python = Command::new(interpreter()?);
+pub fn libclang(interpreter: &Path) -> Result<PathBuf> {
+    let mut python = Command::new(interpreter);
     python.args(["-c", "import clang, os; print(os.path.join(clang.__path__[0], 'native'))"]);
     Ok(output(&mut python)?.trim().into())
 }

@@ -1,51 +1,109 @@
 //! The whole test run.
 
+use std::path::Path;
 use std::process::Command;
+use std::time::Instant;
 
-use anyhow::Result;
+use anyhow::{Context, Result, anyhow};
 
 use crate::shell::{cargo, output, run, target};
 use crate::{fmus, python};
 
 /// Format, lints, FMUs and their model descriptions, Rust tests, FMPy tests, the crate `fmi`.
 pub fn run_all() -> Result<()> {
-    step("format");
-    run(cargo().args(["fmt", "--all", "--check"]))?;
-    step("build");
-    // All at once, since the tests' dependencies give others more features: built one after the
-    // other, half of the workspace would be compiled twice.
+    let mut stages = Stages::default();
+    stages.run("format", || run(cargo().args(["fmt", "--all", "--check"])))?;
+    // The Python packages, which are mostly waited for, come beside it.
+    let python = stages.run("build", || {
+        std::thread::scope(|scope| {
+            let python = scope.spawn(python::interpreter);
+            build()?;
+            python.join().map_err(|_| anyhow!("making the Python environment panicked"))?
+        })
+    })?;
+    stages.run("FMUs and their model descriptions", || {
+        fmus::pack()?;
+        fmus::check_model_descriptions()
+    })?;
+    stages.run("lints", || {
+        let lint = ["clippy", "--workspace", "--all-targets", "--release", "--", "-D", "warnings"];
+        run(cargo().args(lint))
+    })?;
+    stages.run("documentation", || {
+        let docs = ["doc", "--workspace", "--no-deps", "--release", "--quiet"];
+        run(cargo().args(docs).env("RUSTDOCFLAGS", "-D warnings"))
+    })?;
+    stages.run("Rust tests", || run(cargo().args(["test", "--workspace", "--release"])))?;
+    stages.run("FMPy tests", || {
+        run(Command::new(&python).args(["-m", "pytest", "-q", "-n", "auto", "tests/python"]))
+    })?;
+    stages.run("the crate fmi as importer", || importer(&python))?;
+    stages.tell();
+    Ok(())
+}
+
+/// All at once, since the tests' dependencies give others more features: built one after the other,
+/// half of the workspace would be compiled twice.
+fn build() -> Result<()> {
     let targets = ["--lib", "--bins", "--tests"];
-    run(cargo().args(["build", "--release", "--workspace"]).args(targets))?;
-    fmus::pack()?;
-    step("model descriptions");
-    fmus::check_model_descriptions()?;
-    step("lints");
-    let lint = ["clippy", "--workspace", "--all-targets", "--release", "--", "-D", "warnings"];
-    run(cargo().args(lint))?;
-    step("documentation");
-    let docs = ["doc", "--workspace", "--no-deps", "--release", "--quiet"];
-    run(cargo().args(docs).env("RUSTDOCFLAGS", "-D warnings"))?;
-    step("Rust tests");
-    run(cargo().args(["test", "--workspace", "--release"]))?;
-    step("FMPy tests");
-    let interpreter = python::interpreter()?;
-    run(Command::new(interpreter).args(["-m", "pytest", "-q", "-n", "auto", "tests/python"]))?;
-    step("the crate fmi as importer");
-    importer()
+    run(cargo().args(["build", "--release", "--workspace"]).args(targets))
 }
 
 /// The tests with the crate `fmi`, which generates its bindings with libclang: that of the Python
 /// environment, with the headers of the C compiler.
-fn importer() -> Result<()> {
+fn importer(python: &Path) -> Result<()> {
     let headers = output(Command::new("cc").arg("-print-file-name=include"))?;
     run(cargo()
-        .args(["test", "--release", "--manifest-path", "tests/interop/Cargo.toml"])
+        .args(["test", "--manifest-path", "tests/interop/Cargo.toml"])
         .env("CARGO_TARGET_DIR", target().join("interop"))
-        .env("LIBCLANG_PATH", python::libclang()?)
+        .env("LIBCLANG_PATH", python::libclang(python)?)
         .env("BINDGEN_EXTRA_CLANG_ARGS", format!("-I{}", headers.trim()))
         .env("HOTFOOT_FMUS", std::path::absolute(target().join("fmus"))?))
 }
 
-fn step(name: &str) {
-    println!("\n=== {name}");
+/// What has been run, for a table of its cost.
+#[derive(Default)]
+struct Stages(Vec<Cost>);
+
+/// What a stage took.
+struct Cost {
+    stage: &'static str,
+    wall: f64,
+    processor: Option<f64>,
+}
+
+impl Stages {
+    /// Runs a stage.
+    fn run<T>(&mut self, stage: &'static str, task: impl FnOnce() -> Result<T>) -> Result<T> {
+        println!("\n=== {stage}");
+        let (begin, before) = (Instant::now(), processor_time());
+        let done = task().with_context(|| format!("the stage '{stage}' failed"))?;
+        let processor = before.zip(processor_time()).map(|(before, after)| after - before);
+        self.0.push(Cost { stage, wall: begin.elapsed().as_secs_f64(), processor });
+        Ok(done)
+    }
+
+    fn tell(&self) {
+        println!("\n| stage | by the clock, s | processor, s |\n|---|---|---|");
+        for Cost { stage, wall, processor } in &self.0 {
+            let processor = processor.map_or("-".to_owned(), |time| format!("{time:.0}"));
+            println!("| {stage} | {wall:.0} | {processor} |");
+        }
+    }
+}
+
+/// Processor time, user and system, of the programs that have run and ended, s; none where there is
+/// no `/proc` as on Linux.
+fn processor_time() -> Option<f64> {
+    /// Ticks of `/proc` a second.
+    const TICKS: f64 = 100.0;
+    /// Places of cutime and cstime behind the name in proc_pid_stat(5).
+    const OF_CHILDREN: [usize; 2] = [13, 14];
+    let text = std::fs::read_to_string("/proc/self/stat").ok()?;
+    let fields: Vec<&str> = text.rsplit_once(')')?.1.split_whitespace().collect();
+    OF_CHILDREN
+        .iter()
+        .map(|&place| fields.get(place)?.parse::<f64>().ok())
+        .sum::<Option<f64>>()
+        .map(|ticks| ticks / TICKS)
 }

@@ -90,7 +90,6 @@ fn model(case: &Case) -> Energy {
     let outline = RailFile::open("AS60").expect("a section that is built in").outline();
     let base = Parameters::new(outline, Line { begin: 0.0, element_length: 0.1, elements: 50 });
     let parameters = Parameters {
-        cell_size: 0.004,
         wheel: WheelHeat {
             initial_rise: case.wheel_rise,
             contact_quality: case.conduction,
@@ -102,7 +101,7 @@ fn model(case: &Case) -> Energy {
         ..base
     };
     Energy::new(parameters, &[6; VEHICLES], &case.weather, 0.0)
-        .expect("a section of some 500 cells")
+        .expect("a section of the default cells")
 }
 
 /// All wheels at a time; the leading wheel comes to the track's beginning at its start.

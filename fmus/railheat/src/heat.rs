@@ -92,24 +92,17 @@ impl Heat {
 
     /// The elements along the track.
     pub fn span(&self) -> Span {
-        match self {
+        let (begin, element_length, elements) = match self {
             Self::Paper(model) => {
                 let grid = &model.parameters().grid;
-                Span {
-                    begin: grid.begin,
-                    element_length: grid.element_length,
-                    elements: grid.elements,
-                }
+                (grid.begin, grid.element_length, grid.elements)
             }
             Self::Energy(model) => {
                 let line = &model.parameters().line;
-                Span {
-                    begin: line.begin,
-                    element_length: line.element_length,
-                    elements: line.elements,
-                }
+                (line.begin, line.element_length, line.elements)
             }
-        }
+        };
+        Span { begin, element_length, elements }
     }
 
     /// Temperature of the running surface at the start, K.

@@ -3,8 +3,8 @@
 //! Creep with the secant D is stiff where x = h D μ is large, μ being the velocity that unit impulses
 //! of both wheels give a wheelset, shared by two. It must then count at the end of a step h, or a
 //! step would turn the slip round. Where x is small, a wheel that slides fast, counting it so only
-//! adds a mass h D to the wheelset in the direction of the slip, and on a sloping flange the sliding
-//! contact then rings. So the share x²/(1 + x²) of D counts at the end and the rest at the beginning.
+//! adds a mass h D to the wheelset in the direction of the slip, with which forces on rough track are up to
+//! twice as far off. So the share x²/(1 + x²) of D counts at the end and the rest at the beginning.
 //!
 //! A slip v that only the creep of both wheels changes becomes v (1 - x)²/(1 + x² + 2 x³): at any x
 //! it falls and does not turn round.

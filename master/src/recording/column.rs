@@ -5,8 +5,8 @@
 
 use std::sync::Arc;
 
-use arrow::array::{ArrayRef, Float32Array, Float64Array, Int32Array, StringArray};
-use arrow::datatypes::{DataType, Field};
+use arrow_array::{ArrayRef, Float32Array, Float64Array, Int32Array, StringArray};
+use arrow_schema::{DataType, Field};
 
 /// A quantity that a table records.
 #[derive(Debug, Clone, PartialEq)]

@@ -34,6 +34,9 @@ pub use reader::{KeyValue, SeriesReader};
 pub use tables::{Side, VehicleRow, WheelRow, vehicle_keys, vehicle_keys_of, wheel_keys};
 pub use writer::SeriesWriter;
 
+/// Name of the first column of every table.
+pub const TIME: &str = "time";
+
 /// Why a series cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordingError {
@@ -70,6 +73,17 @@ pub enum RecordingError {
         column: String,
         /// The names there are.
         available: String,
+    },
+    /// Two columns of a table would have one name.
+    #[error(
+        "table {table}: two columns would have the name {column}; leave the variable of that name out, or \
+         rename it"
+    )]
+    OneName {
+        /// Name of the table.
+        table: String,
+        /// The name.
+        column: String,
     },
     /// The keys of a table do not belong together.
     #[error("table {table}: key {key} has {found} values where the keys before have {wanted}")]

@@ -50,6 +50,17 @@ fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 }
 
 #[test]
+fn two_columns_of_one_name_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["time", "vehicle", "force_highest"] {
+        let columns = [columns(), vec![Column::new(name, "1", "Another")]].concat();
+        let table = SeriesWriter::create(folder.path(), "vehicles", vehicle_keys(3), columns, 10);
+        let message = table.err().expect("the names clash").to_string();
+        assert!(message.contains("table vehicles") && message.contains(name), "{message}");
+    }
+}
+
+#[test]
 fn property_what_is_recorded_is_read_back() {
     let folder = tempfile::tempdir().unwrap();
     run(folder.path());

@@ -1,15 +1,16 @@
 //! Writes a table while the run goes on.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use arrow::array::{ArrayRef, Float64Array, RecordBatch};
-use arrow::datatypes::{DataType, Schema, SchemaRef};
+use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+use arrow_schema::{ArrowError, DataType, Schema, SchemaRef};
 
-use super::RecordingError;
 use super::accumulator::Accumulator;
 use super::column::{Column, Key, described};
 use super::parts::Parts;
+use super::{RecordingError, TIME};
 
 /// Writes one table: a row for each key at each recorded instant.
 ///
@@ -35,7 +36,7 @@ impl SeriesWriter {
     /// After every `records_per_part` records the table on disk is complete up to there.
     ///
     /// # Errors
-    /// When the folder cannot be written or the keys differ in length.
+    /// When the folder cannot be written, the keys differ in length, or two columns have one name.
     pub fn create(
         folder: &Path,
         name: &str,
@@ -52,11 +53,16 @@ impl SeriesWriter {
                 wanted: rows,
             });
         }
-        let time = described("time", DataType::Float64, "s", "Simulated time");
+        let time = described(TIME, DataType::Float64, "s", "Simulated time");
         let fields: Vec<_> = std::iter::once(time)
             .chain(keys.iter().map(Key::field))
             .chain(columns.iter().flat_map(Column::fields))
             .collect();
+        let mut names = BTreeSet::new();
+        if let Some(field) = fields.iter().find(|field| !names.insert(field.name())) {
+            let (table, column) = (name.to_owned(), field.name().clone());
+            return Err(RecordingError::OneName { table, column });
+        }
         let places = |has: fn(&Column) -> bool| -> Vec<usize> {
             let wanted = columns.iter().enumerate().filter(|(_, column)| has(column));
             wanted.map(|(index, _)| index).collect()
@@ -142,7 +148,7 @@ impl SeriesWriter {
     }
 
     /// The buffered records from number `first` on as Arrow has them.
-    fn batch(&self, first: usize) -> Result<RecordBatch, arrow::error::ArrowError> {
+    fn batch(&self, first: usize) -> Result<RecordBatch, ArrowError> {
         let times = &self.times[first..];
         let count = times.len();
         let times = times.iter().flat_map(|&time| std::iter::repeat_n(time, self.rows));

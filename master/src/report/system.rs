@@ -12,7 +12,7 @@ use super::line_chart::LineChart;
 use super::page::fill;
 use super::palette::LINES;
 use super::quantity::with_unit;
-use crate::recording::{RecordingError, SeriesReader};
+use crate::recording::{RecordingError, SeriesReader, TIME};
 
 /// What the run of a system writes as the table `system` of `manifest.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -118,7 +118,7 @@ fn figure(
     series: &SeriesReader,
     most_panels: usize,
 ) -> Result<Figure, ReportError> {
-    let time = series.read("time", &[])?;
+    let time = series.read(TIME, &[])?;
     let mut panels = vec![];
     for unit in units(series) {
         if panels.len() == most_panels {

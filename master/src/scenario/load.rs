@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use garde::Validate;
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use toml::de::{DeTable, DeValue};
 
-use super::file::{Scenario, VehicleReplacement};
+use super::check::{Wrong, check};
+use super::file::Scenario;
 use super::value::Value;
 
 /// Why a scenario cannot be run.
@@ -34,6 +34,16 @@ pub enum ScenarioError {
         /// Where.
         #[label("here")]
         place: Option<SourceSpan>,
+    },
+    /// The scenario is wrong with the times of the command line.
+    #[error("scenario {file} with {options}: {message}")]
+    Times {
+        /// File.
+        file: String,
+        /// The options with their values.
+        options: String,
+        /// Key, what is wrong and what is allowed.
+        message: String,
     },
     /// A file that the scenario names is missing.
     #[error("scenario {file}: {key} = \"{value}\": there is no such {what} at {path}")]
@@ -84,76 +94,21 @@ fn parse(text: &str, name: &str) -> Result<Scenario, ScenarioError> {
     };
     let scenario: Scenario = toml::from_str(text)
         .map_err(|error| wrong(error.message().trim().replace('\n', "; "), error.span()))?;
-    if let Err(report) = scenario.validate()
-        && let Some((path, error)) = report.iter().next()
-    {
-        let key = path.to_string();
-        return Err(wrong(format!("{key}: {error}"), span_of(text, &key)));
-    }
-    check_across_keys(&scenario)
-        .map_err(|(key, message)| wrong(format!("{key}: {message}"), span_of(text, key)))?;
+    check(&scenario).map_err(|Wrong { key, message }| {
+        let place = span_of(text, &key);
+        let value = place.clone().and_then(|place| text.get(place));
+        // Of a long value the place says enough.
+        let stated = match value.filter(|value| value.len() <= LONGEST_VALUE) {
+            Some(value) if !value.contains('\n') => format!("{key} = {value}"),
+            _ => key,
+        };
+        wrong(format!("{stated}: {message}"), place)
+    })?;
     Ok(scenario)
 }
 
-/// Rules that concern more than one key.
-fn check_across_keys(scenario: &Scenario) -> Result<(), (&'static str, String)> {
-    let count = scenario.vehicle_count();
-    if let Some(replaced) = scenario.fmus.vehicle_at.iter().find(|v| v.place > count) {
-        let message =
-            format!("place {} is behind the tail: the train has {count} vehicles", replaced.place);
-        return Err(("fmus.vehicle_at", message));
-    }
-    let named = |other: &&VehicleReplacement| other.file.is_none() && !other.names.is_empty();
-    if let Some(other) = scenario.fmus.vehicle_at.iter().find(named) {
-        let message = format!("place {}: names belong to an FMU; name its file, too", other.place);
-        return Err(("fmus.vehicle_at", message));
-    }
-    if let Some(place) = scenario.record.wheels_of.iter().find(|&&place| place > count) {
-        let message = format!("{place} is behind the tail: the train has {count} vehicles");
-        return Err(("record.wheels_of", message));
-    }
-    if scenario.train_alone && scenario.heat.is_some() {
-        let message = "the rail is heated by wheels; leave [heat] out, or train_alone".to_owned();
-        return Err(("train_alone", message));
-    }
-    if scenario.train_alone
-        && (scenario.fmus.vehicle.is_some() || !scenario.fmus.vehicle_at.is_empty())
-    {
-        let message = "a train alone has no vehicle FMUs; leave fmus.vehicle and fmus.vehicle_at out, \
-                       or train_alone";
-        return Err(("train_alone", message.to_owned()));
-    }
-    if let Some(step) = scenario.heat.as_ref().and_then(|heat| heat.step_s)
-        && !is_multiple(step, scenario.step_s)
-    {
-        let message = format!("{step} s is not a multiple of step_s = {} s", scenario.step_s);
-        return Err(("heat.step_s", message));
-    }
-    if let Some(heat) = &scenario.heat
-        && heat.trains.count > 1
-        && heat.trains.headway_minutes * 60.0 < scenario.duration_s
-    {
-        let message = format!(
-            "{} min are less than duration_s = {} s; a train follows when the one before it has run",
-            heat.trains.headway_minutes, scenario.duration_s
-        );
-        return Err(("heat.trains.headway_minutes", message));
-    }
-    if !is_multiple(scenario.record.interval_s, scenario.step_s) {
-        let message = format!(
-            "{} s is not a multiple of step_s = {} s",
-            scenario.record.interval_s, scenario.step_s
-        );
-        return Err(("record.interval_s", message));
-    }
-    Ok(())
-}
-
-/// Whether `value` is `step` times a whole number from one.
-fn is_multiple(value: f64, step: f64) -> bool {
-    let times = (value / step).round();
-    times >= 1.0 && (times * step - value).abs() <= 1e-9 * value
-}
+/// Characters of a value that a message repeats.
+const LONGEST_VALUE: usize = 40;
 
 /// Where the value of a key such as `train.vehicles[0].count` stands in the text.
 fn span_of(text: &str, key: &str) -> Option<std::ops::Range<usize>> {
@@ -271,7 +226,7 @@ file = "driver.toml"
     fn a_step_of_zero_is_answered_with_its_place_and_bounds() {
         let (message, at) =
             message(&GOOD.replace("duration_s = 1.0", "duration_s = 1.0\nstep_s = 0.0"));
-        assert_eq!(message, "step_s: lower than 0.000001");
+        assert_eq!(message, "step_s = 0.0: lower than 0.000001");
         assert_eq!(at.as_deref(), Some("0.0"));
     }
 
@@ -289,6 +244,21 @@ file = "driver.toml"
         let (message, at) = message(&format!("{text}\n[heat]\nfield_interval_s = 1.0\n"));
         assert!(message.contains("leave [heat] out"), "{message}");
         assert_eq!(at.as_deref(), Some("true"));
+    }
+
+    #[test]
+    fn two_fmus_for_one_place_are_refused() {
+        let other = "[[fmus.vehicle_at]]\nplace = 2\nfile = \"v.fmu\"\n";
+        let (message, _) = message(&format!("{GOOD}\n{other}{other}"));
+        assert!(message.contains("two FMUs for place 2"), "{message}");
+    }
+
+    #[test]
+    fn an_interval_between_two_steps_is_answered_with_its_place() {
+        let (message, at) = message(&format!("{GOOD}\n[record]\ninterval_s = 0.0015\n"));
+        assert!(message.starts_with("record.interval_s = 0.0015: "), "{message}");
+        assert!(message.ends_with("is not a multiple of step_s = 0.001 s"), "{message}");
+        assert_eq!(at.as_deref(), Some("0.0015"));
     }
 
     #[test]

@@ -3,19 +3,26 @@
 //! | file | part |
 //! |---|---|
 //! | `file.rs` | the keys of the file with their bounds and defaults |
+//! | `fmus.rs` | the keys of its table `[fmus]` |
 //! | `heat.rs` | the keys of its table `[heat]` |
 //! | `value.rs` | values for variables of FMUs |
-//! | `load.rs` | reading and checking, with messages that point at the line |
+//! | `times.rs` | times of the command line in place of the file's |
+//! | `check.rs` | bounds, and what one key demands of another |
+//! | `load.rs` | reading, with messages that point at the line |
 
+mod check;
 mod file;
+mod fmus;
 mod heat;
 mod load;
+mod times;
 mod value;
 
 pub use file::{
-    Couplers, Driver, Fmus, Record, Scenario, Scheme, Synchronisation, Track, Train, VehicleGroup,
-    VehicleReplacement, Wind,
+    Couplers, Driver, Record, Scenario, Scheme, Synchronisation, Track, Train, VehicleGroup, Wind,
 };
+pub use fmus::{Fmus, VehicleReplacement};
 pub use heat::{FieldFailure, Heat, Probe, Rail, Trains};
 pub use load::{ScenarioError, file_of, load};
+pub use times::Times;
 pub use value::Value;

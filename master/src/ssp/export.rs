@@ -40,14 +40,14 @@ const CONTROLLER_FMU: &str = "synchronisation.fmu";
 /// # Errors
 /// When the scenario is wrong, a unit fails, or the package cannot be written.
 pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, RunError> {
-    let (scenario, _, _) = scenario::load(path)?;
+    let (scenario, file, _) = scenario::load(path)?;
     let controller = fmus.join(CONTROLLER_FMU);
     if !scenario.train_alone {
-        check_fmu(&controller)?;
+        check_fmu(&controller).map_err(RunError::prepare(&file))?;
     }
     let folder = tempfile::tempdir().map_err(FileError::at(target))?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().join("results") };
-    let mut lockstep = prepare(&scenario, &folders)?;
+    let mut lockstep = prepare(&scenario, &folders).map_err(RunError::prepare(&file))?;
     let (start, stop) = (start_of(&scenario), scenario.duration_s);
     let started = pool(default_threads())?.install(|| lockstep.initialize(start, stop, stop));
     started.map_err(StartError::from)?;

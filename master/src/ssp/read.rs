@@ -1,6 +1,7 @@
 //! Reads `SystemStructure.ssd` of SSP 1.0: the package's structure, with nested systems made
 //! flat.
 
+use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -40,6 +41,14 @@ pub fn read(package: &Path) -> Result<Structure, SspError> {
         structure.start = file.value(experiment, "startTime")?;
         structure.stop = file.value(experiment, "stopTime")?;
         structure.step = step(&file, experiment)?;
+        if let Some(stop) = structure.stop
+            && (stop.partial_cmp(&structure.start.unwrap_or(0.0)) != Some(Ordering::Greater)
+                || stop.is_infinite())
+        {
+            let start = structure.start.unwrap_or(0.0);
+            let message = format!("stopTime=\"{stop}\" must be after startTime=\"{start}\"");
+            return Err(file.wrong(experiment, message));
+        }
     }
     let mut reader = Reader { file: &file, package, structure, edges: vec![] };
     reader.system(system, "")?;
@@ -53,7 +62,14 @@ pub fn read(package: &Path) -> Result<Structure, SspError> {
 fn step(file: &XmlFile<'_>, experiment: Node<'_, '_>) -> Result<Option<f64>, SspError> {
     let algorithm =
         experiment.descendants().find(|node| node.tag_name().name() == "FixedStepAlgorithm");
-    algorithm.map_or(Ok(None), |node| file.value(node, "baseStepSize"))
+    let Some(algorithm) = algorithm else { return Ok(None) };
+    match file.value(algorithm, "baseStepSize")? {
+        Some(step) if !(step > 0.0 && f64::is_finite(step)) => {
+            let message = format!("baseStepSize=\"{step}\" must be greater than zero");
+            Err(file.wrong(algorithm, message))
+        }
+        step => Ok(step),
+    }
 }
 
 struct Reader<'r, 't> {

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use super::exchange::Signals;
 use super::system::System;
+use crate::interface::{Variable, VariableType};
 use crate::observe::ObserveError;
-use crate::recording::{Column, SeriesWriter};
+use crate::recording::{Column, SeriesWriter, TIME};
 use crate::unit::Unit;
 
 /// Recorded time in a part of a series on disk, s; a killed run loses less than this.
@@ -86,9 +87,33 @@ fn outputs(interface: &crate::Interface) -> (Signals, Vec<Column>) {
             continue;
         }
         let unit = variable.unit.as_deref().unwrap_or("1");
-        columns.push(Column::new(&variable.name, unit, &variable.description).double());
+        columns.push(Column::new(column_name(variable), unit, &variable.description).double());
     }
     (signals, columns)
+}
+
+/// Name of an output's column: its own, except where the column of times has that.
+fn column_name(output: &Variable) -> &str {
+    match output.name.as_str() {
+        TIME => "time (output)",
+        name => name,
+    }
+}
+
+/// Says which outputs of a system have columns of another name.
+pub fn renamed(system: &System) -> Vec<String> {
+    let parts = system.parts.iter().filter_map(|part| {
+        let output = part.unit.interface().variable(TIME)?;
+        let other = column_name(output);
+        (output.causality == "output" && output.kind != VariableType::Text).then(|| {
+            let component = part.unit.name();
+            format!(
+                "the output '{TIME}' of {component} is recorded as '{other}', since '{TIME}' is the \
+                 column of the simulated time"
+            )
+        })
+    });
+    parts.collect()
 }
 
 /// Name of the table of a component: its own, as that of a file; none if it has no output that is a

@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::error::SspError;
 use super::exchange::Part;
 use super::read::read;
-use super::record::{Recorder, table_name};
+use super::record::{Recorder, renamed, table_name};
 use super::structure::Structure;
 use super::system::System;
 use super::wire::wire;
@@ -145,7 +145,7 @@ pub fn run(path: &Path, options: &SystemOptions) -> Result<FinishedSystem, RunEr
         steps: times.steps,
         wall,
         threads,
-        warnings: take_warnings(system.units_mut()),
+        warnings: [renamed(&system), take_warnings(system.units_mut())].concat(),
         report,
     })
 }

@@ -13,11 +13,20 @@ const NAMESPACES: &str = r#"xmlns:ssd="http://ssp-standard.org/SSP1/SystemStruct
 
 /// The structure whose system has this content, with further files in the package.
 fn structure(system: &str, files: &[(&str, &str)]) -> Result<Structure, String> {
+    structure_with(r#"<ssd:DefaultExperiment startTime="1" stopTime="3"/>"#, system, files)
+}
+
+/// The same with another experiment.
+fn structure_with(
+    experiment: &str,
+    system: &str,
+    files: &[(&str, &str)],
+) -> Result<Structure, String> {
     let text = format!(
         r#"<ssd:SystemStructureDescription {NAMESPACES} version="1.0" name="test">
         <ssd:System name="root">{system}</ssd:System>
         <ssd:Units><ssc:Unit name="kN"><ssc:BaseUnit kg="1" m="1" s="-2" factor="1000"/></ssc:Unit></ssd:Units>
-        <ssd:DefaultExperiment startTime="1" stopTime="3"/>
+        {experiment}
         </ssd:SystemStructureDescription>"#
     );
     let folder = tempfile::tempdir().unwrap();
@@ -153,6 +162,27 @@ fn what_is_written_is_read_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join(STRUCTURE_FILE), write(&written).unwrap()).unwrap();
     assert_eq!(read(folder.path()).unwrap(), written);
+}
+
+#[test]
+fn a_wrong_experiment_is_answered_with_line_attribute_value_and_remedy() {
+    for (experiment, wanted) in [
+        (
+            r#"<ssd:DefaultExperiment startTime="3" stopTime="1"/>"#,
+            "line 7: stopTime=\"1\" must be after startTime=\"3\"",
+        ),
+        (
+            r#"<ssd:DefaultExperiment stopTime="soon"/>"#,
+            "line 7: stopTime=\"soon\" must be a number such as 0.5",
+        ),
+        (
+            r#"<ssd:DefaultExperiment><FixedStepAlgorithm baseStepSize="0"/></ssd:DefaultExperiment>"#,
+            "line 7: baseStepSize=\"0\" must be greater than zero",
+        ),
+    ] {
+        let message = structure_with(experiment, "", &[]).unwrap_err();
+        assert!(message.contains(STRUCTURE_FILE) && message.contains(wanted), "{message}");
+    }
 }
 
 #[test]

@@ -3,9 +3,11 @@
 use std::sync::{Arc, Mutex};
 
 use super::exchange::{Link, Part, Place};
+use super::record::{Recorder, renamed};
 use super::system::System;
 use crate::lockstep::Clock;
 use crate::mock::Mock;
+use crate::recording::SeriesReader;
 use crate::si::Linear;
 use crate::unit::terminate;
 
@@ -105,6 +107,30 @@ fn a_long_loop_is_told_with_five_of_its_inputs() {
     let mut system = feedthrough(9, &ring, 1.0);
     let message = in_pool(|| system.initialize(10.0)).unwrap_err().to_string();
     assert_eq!(message.matches(".u").count(), 5, "{message}");
+}
+
+/// Many FMUs have an output for the time, whose name the column of times has already.
+#[test]
+fn an_output_named_time_is_recorded_beside_the_column_of_times() {
+    let unit =
+        Mock::new("m", &[("time".to_owned(), "output")], &Calls::default(), |values, _, _| {
+            values[0] += 100.0;
+        });
+    let mut system = System::empty(Clock { start: 0.0, length: 0.5 });
+    system.parts.push(Part::new(Box::new(unit)));
+    let folder = tempfile::tempdir().unwrap();
+    in_pool(|| {
+        system.initialize(1.0).unwrap();
+        let mut recorder = Recorder::new(&system, 1, folder.path()).unwrap();
+        system.step(0).unwrap();
+        recorder.observe(1, &mut system).unwrap();
+        recorder.finish().unwrap();
+    });
+    let table = SeriesReader::open(folder.path(), "m").unwrap();
+    assert_eq!(table.read("time", &[]).unwrap(), [0.5]);
+    assert_eq!(table.read("time (output)", &[]).unwrap(), [100.0]);
+    let told = renamed(&system);
+    assert!(told[0].contains("'time' of m is recorded as 'time (output)'"), "{told:?}");
 }
 
 #[test]

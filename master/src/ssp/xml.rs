@@ -49,8 +49,12 @@ impl<'t> XmlFile<'t> {
     pub fn value<T: FromStr>(&self, node: Node<'_, '_>, name: &str) -> Result<Option<T>, SspError> {
         let parse = |text: &str| {
             text.trim().parse().map_err(|_| {
-                let wanted = std::any::type_name::<T>();
-                self.wrong(node, format!("{name}=\"{text}\" is not a value of type {wanted}"))
+                let wanted = match std::any::type_name::<T>() {
+                    "f64" => "a number such as 0.5",
+                    "bool" => "true or false",
+                    _ => "a whole number such as 2",
+                };
+                self.wrong(node, format!("{name}=\"{text}\" must be {wanted}"))
             })
         };
         node.attribute(name).map(parse).transpose()

@@ -1,7 +1,5 @@
 //! Drivers who control the speed or repeat a logger, and remote locomotives.
 
-use std::path::Path;
-
 use longitudinal::driver::{Command, Driver, DriverState, View};
 use longitudinal::{Couplers, TrainDynamics, TrainState};
 use stock::StockError;
@@ -12,7 +10,7 @@ use crate::support::*;
 const KMH: f64 = 1.0 / 3.6;
 
 /// Driver of the text of a file, with further files beside it.
-fn driver(text: &str, others: &[(&str, &str)]) -> Result<Driver, StockError> {
+pub fn driver(text: &str, others: &[(&str, &str)]) -> Result<Driver, StockError> {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
     write("driver.toml", text);
@@ -73,7 +71,7 @@ fn speed_errors(line: &str, wagons: usize, text: &str) -> (f64, f64) {
 const SPEED_OF_A_HEAVY_TRAIN: &str =
     "[speed]\nchainage_m = [0, 3000, 4500, 20000]\nkmh = [60, 60, 50, 50]\n";
 
-const SPEED: &str = "[speed]\nchainage_m = [0, 3000, 3500, 20000]\nkmh = [60, 60, 50, 50]\n";
+pub const SPEED: &str = "[speed]\nchainage_m = [0, 3000, 3500, 20000]\nkmh = [60, 60, 50, 50]\n";
 
 /// Prints root mean square and greatest error, km/h, and fails beyond their limits.
 fn are_within(case: &str, (rms, greatest): (f64, f64), limits: (f64, f64)) {
@@ -148,7 +146,7 @@ fn analytic_feed_forward_is_the_force_balance() {
 
 const LOGGER: &str = "Time (s), Notch, DB, Speed\n\
     100, 4, 0, 36.0\n101, 4, 0, 37.0\n104, 8, 0, 40.0\n110, 0, 0.5, 39.0\n";
-const REPLAY: &str = "[replay]\nfile = 'logger.csv'\ntime = 'Time (s)'\nthrottle = 'Notch'\n\
+pub const REPLAY: &str = "[replay]\nfile = 'logger.csv'\ntime = 'Time (s)'\nthrottle = 'Notch'\n\
     dynamic_brake = 'DB'\nspeed = 'Speed'\n";
 
 #[test]
@@ -242,73 +240,4 @@ fn analytic_remote_locomotives_follow_after_their_delay() {
     assert_eq!(at(11.6), [8.0, 8.0, 3.0]);
     let lever = |i: usize| state.vehicles[i].lever;
     assert!(lever(0) > lever(4) && lever(4) > 0.0 && lever(5) > 0.0 && lever(1) == 0.0);
-}
-
-fn refused(text: &str, logger: &str) -> String {
-    driver(text, &[("logger.csv", logger)]).unwrap_err().to_string()
-}
-
-#[test]
-fn a_logger_with_a_gap_is_refused_by_line() {
-    let message = refused(REPLAY, "Time (s),Notch,DB,Speed\n0,1,0,9\n1,1,0,9\n60,1,0,9\n");
-    assert!(
-        message.contains("logger.csv: line 4, column Time (s) = 60: a gap of 59 s"),
-        "{message}"
-    );
-}
-
-#[test]
-fn a_logger_that_goes_back_in_time_is_refused_by_line() {
-    let message = refused(REPLAY, "Time (s),Notch,DB,Speed\n5,1,0,9\n4,1,0,9\n");
-    assert!(message.contains("line 3, column Time (s) = -1: goes back"), "{message}");
-}
-
-#[test]
-fn a_logger_without_a_number_is_refused_by_line() {
-    let message = refused(REPLAY, "Time (s),Notch,DB,Speed\n0,1,0,9\n1,idle,0,9\n");
-    assert!(message.contains("line 3, column Notch = \"idle\": must be a number"), "{message}");
-}
-
-#[test]
-fn a_column_that_the_logger_does_not_have_is_refused_with_those_it_has() {
-    let message = refused(REPLAY, "Time (s),Throttle,DB,Speed\n0,1,0,9\n");
-    assert!(message.contains("throttle = Notch: no column"), "{message}");
-}
-
-#[test]
-fn a_notch_beyond_the_table_is_refused_by_line() {
-    let message = refused(REPLAY, "Time (s),Notch,DB,Speed\n0,9,0,9\n");
-    assert!(message.contains("line 2, column Notch = 9: must lie between 0 and 8"), "{message}");
-}
-
-#[test]
-fn a_driver_of_two_kinds_is_refused() {
-    let text = format!("{SPEED}[cruise]\n[fuzzy]\n");
-    let message = refused(&text, "");
-    assert!(message.contains("fuzzy = given: a driver is of one kind"), "{message}");
-}
-
-#[test]
-fn a_profile_that_goes_back_is_refused() {
-    let text = "profile = [{ lever = 'throttle', chainage_m = [0, 5, 4], value = [0, 1, 0] }]";
-    let message = refused(text, "");
-    assert!(message.contains("profile[1].chainage_m = 3 values: row 3"), "{message}");
-}
-
-/// The international benchmark is prepared but open: each of its files is refused by what is missing.
-#[test]
-fn the_open_benchmark_is_refused_until_it_is_filled_in() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/benchmarks/ibltd");
-    let stock = stock::Library::open(folder.join("stock")).unwrap();
-    let messages = [
-        stock::Consist::from_file(&folder.join("consist.toml")).unwrap_err().to_string(),
-        Track::from_file(&folder.join("track.toml")).unwrap_err().to_string(),
-        Driver::from_file(&folder.join("driver.toml")).unwrap_err().to_string(),
-        stock.vehicle("ibltd-wagon").unwrap_err().to_string(),
-        stock.vehicle("ibltd-locomotive").unwrap_err().to_string(),
-        stock.draft_gear("ibltd-gear").unwrap_err().to_string(),
-    ];
-    for message in messages {
-        assert!(message.contains("ibltd") && message.contains("FILL IN"), "{message}");
-    }
 }

@@ -13,12 +13,14 @@
 //! | `line.rs` | curve resistance, wind, starting, length over gradients |
 //! | `brakes.rs` | air brake, locomotive brake, hand brakes, heat of the wheels |
 //! | `drivers.rs` | control of the speed, replay of a logger, remote locomotives |
+//! | `driver_files.rs` | what is refused of their files |
 //! | `traction.rs` | effort by notch, power, adhesion, splines |
 //! | `numerics.rs` | the step: stable range, convergence, chatter, standstill |
 
 mod brakes;
 mod closed_forms;
 mod cross_code;
+mod driver_files;
 mod drivers;
 mod gears;
 mod line;

@@ -1,0 +1,56 @@
+//! The keys of a scenario's table `[fmus]`.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use garde::Validate;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::value::Value;
+
+/// FMUs that replace Hotfoot's own.
+#[derive(Debug, Clone, Default, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields, default)]
+pub struct Fmus {
+    /// For the whole train.
+    #[garde(skip)]
+    pub longitudinal: Option<PathBuf>,
+    /// For all vehicles.
+    #[garde(skip)]
+    pub vehicle: Option<PathBuf>,
+    /// The names of the FMU for all vehicles for our signals, where they differ.
+    #[garde(skip)]
+    pub vehicle_names: BTreeMap<String, String>,
+    /// For the rail.
+    #[garde(skip)]
+    pub railheat: Option<PathBuf>,
+    /// For single vehicles.
+    #[garde(dive)]
+    pub vehicle_at: Vec<VehicleReplacement>,
+    /// Whether a step that an FMU discards is tried again in up to 16 parts, from the state before
+    /// it; costs a saved state of every FMU in each step.
+    #[garde(skip)]
+    pub retry_discarded_steps: bool,
+}
+
+/// An FMU, or other parameters, for one vehicle.
+#[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct VehicleReplacement {
+    /// Place in the train, counted from one.
+    #[garde(range(min = 1))]
+    pub place: usize,
+    /// FMU, relative to the scenario's file; left out: the one that stands there anyway, with other
+    /// parameters.
+    #[garde(skip)]
+    pub file: Option<PathBuf>,
+    /// Its names for our signals, where they differ: `"sync.force" = "control_force"`.
+    #[serde(default)]
+    #[garde(skip)]
+    pub names: BTreeMap<String, String>,
+    /// Its parameters, and inputs that keep a value throughout, by their names in the FMU.
+    #[serde(default)]
+    #[garde(skip)]
+    pub parameters: BTreeMap<String, Value>,
+}

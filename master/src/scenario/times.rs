@@ -1,0 +1,49 @@
+//! Times of the command line in place of those of a scenario's file.
+
+use std::path::Path;
+
+use super::check::check;
+use super::file::Scenario;
+use super::load::ScenarioError;
+
+/// Times in place of those of a scenario's file; those that are not stated stay.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Times {
+    /// Simulated time, s.
+    pub duration: Option<f64>,
+    /// Step of the exchange between the models, s.
+    pub step: Option<f64>,
+    /// Time between two records, s.
+    pub interval: Option<f64>,
+}
+
+impl Times {
+    /// The options of the command line that are stated, with their values.
+    pub fn stated(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let options =
+            [("--duration", self.duration), ("--step", self.step), ("--interval", self.interval)];
+        options.into_iter().filter_map(|(option, value)| Some((option, value?)))
+    }
+
+    /// Puts them into a scenario.
+    ///
+    /// # Errors
+    /// When the scenario of this file is wrong with them: an interval that is no multiple of the step.
+    pub fn replace_in(&self, scenario: &mut Scenario, file: &Path) -> Result<(), ScenarioError> {
+        for (key, time) in [
+            (&mut scenario.duration_s, self.duration),
+            (&mut scenario.step_s, self.step),
+            (&mut scenario.record.interval_s, self.interval),
+        ] {
+            *key = time.unwrap_or(*key);
+        }
+        check(scenario).map_err(|wrong| {
+            let options = self.stated().map(|(option, value)| format!("{option} {value}"));
+            ScenarioError::Times {
+                file: file.display().to_string(),
+                options: options.collect::<Vec<_>>().join(" "),
+                message: format!("{}: {}", wrong.key, wrong.message),
+            }
+        })
+    }
+}

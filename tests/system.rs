@@ -1,0 +1,40 @@
+//! Tests of the whole system: the programs, the packed FMUs, and what they do together.
+//!
+//! | file | what is tested |
+//! |---|---|
+//! | `architecture.rs` | who may depend on whom |
+//! | `command_line.rs` | answers to wrong input |
+//! | `determinism.rs` | any number of threads gives the same bytes |
+//! | `field_lost.rs` | a temperature field that is lost in a run |
+//! | `fmu_check.rs` | `hotfoot check` |
+//! | `force_balance.rs` | forces balance between the models |
+//! | `heat_input.rs` | wrong input of the rail heat |
+//! | `hostile.rs` | FMUs that misbehave in a train |
+//! | `mutations.rs` | mutations of a good FMU |
+//! | `native.rs` | a model called directly and as an FMU |
+//! | `outputs.rs` | further recorded outputs |
+//! | `profile_files.rs` | profiles of vehicle files |
+//! | `rails.rs` | the heated rails |
+//! | `scenarios.rs` | every shipped scenario |
+//! | `synchronisation.rs` | the controller in the whole loop |
+//! | `tools.rs` | the engineering commands |
+//!
+//! All are one program, since linking is what takes the time of such tests' build. They need the
+//! packed FMUs (`cargo xtask fmus`); `cargo test --release -p hotfoot-tests rails` runs those of `rails.rs`.
+
+mod architecture;
+mod command_line;
+mod determinism;
+mod field_lost;
+mod fmu_check;
+mod force_balance;
+mod heat_input;
+mod hostile;
+mod mutations;
+mod native;
+mod outputs;
+mod profile_files;
+mod rails;
+mod scenarios;
+mod synchronisation;
+mod tools;
