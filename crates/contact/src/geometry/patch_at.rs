@@ -160,8 +160,11 @@ impl<'a> PatchAt<'a> {
         let change = self.go_to_foot(wheel);
         let t = self.place.part;
         let slope = self.node.1;
-        let cos_angle = 1.0 / (1.0 + slope * slope).sqrt();
-        let approach = self.below_tangent(wheel) * cos_angle;
+        let stretch = (1.0 + slope * slope).sqrt();
+        let cos_angle = 1.0 / stretch;
+        let lift = 0.5 * self.yaw.radius * slope;
+        let depth = wheel.descent - self.node.0 - wheel.yaw_squared * lift * slope;
+        let approach = depth * stretch;
 
         let row = &self.rows[self.place.index];
         let [light, loaded] = row.stiffness.each_ref().map(|stiffness| stiffness.at(t));
@@ -176,7 +179,6 @@ impl<'a> PatchAt<'a> {
             true => 0.4 * approach * mix(light.1, loaded.1, part) / (force * change),
             false => 0.0,
         };
-        let lift = 0.5 * self.yaw.radius * slope;
         let point = self.contact(cos_angle, force, root);
         PressedPatch {
             by_shift: point.sin_angle + along,
