@@ -63,7 +63,7 @@ impl Rows {
         // the elastic energy.
         let (by_shift, by_descent) = (sign * pressed.by_shift, pressed.by_descent);
         let arm = sign * (data.half_distance + pressed.roll_arm);
-        let by_yaw = 2.0 * yaw * pressed.yaw_arm * by_descent;
+        let by_yaw = 2.0 * yaw * pressed.by_yaw_squared;
         Self {
             longitudinal: [1.0, yaw, below, -across],
             lateral: [

@@ -19,8 +19,11 @@ use crate::kalker::CreepCoefficients;
 /// After a step as short as this, in m of shift, the foot is exact: the error falls with the square.
 const LAST_STEP: f64 = 5e-6;
 
-/// Up to a step as long as this, in m of shift, the first one reaches the foot.
-const ONE_STEP: f64 = 3e-5;
+/// A step as long as this, in m of shift, reaches the foot if no row lies between.
+const ONE_STEP: f64 = 1.5e-5;
+
+/// Steps after which a foot is searched between bounds.
+const CHEBYSHEV_STEPS: usize = 3;
 
 /// Steps of the search, far more than any contact takes.
 const MOST_STEPS: usize = 30;
@@ -107,10 +110,10 @@ pub struct PressedPatch {
     pub by_shift: f64,
     /// The same for the descent.
     pub by_descent: f64,
+    /// The same for the square of the yaw, in m.
+    pub by_yaw_squared: f64,
     /// Descent of the contact for a roll that lowers the wheel, without that of the running circle, in m.
     pub roll_arm: f64,
-    /// Descent of the contact for the square of the yaw, in m.
-    pub yaw_arm: f64,
 }
 
 impl<'a> PatchAt<'a> {
@@ -157,8 +160,11 @@ impl<'a> PatchAt<'a> {
         let change = self.go_to_foot(wheel);
         let t = self.place.part;
         let slope = self.node.1;
-        let cos_angle = 1.0 / (1.0 + slope * slope).sqrt();
-        let approach = self.below_tangent(wheel) * cos_angle;
+        let stretch = (1.0 + slope * slope).sqrt();
+        let cos_angle = 1.0 / stretch;
+        let lift = 0.5 * self.yaw.radius * slope;
+        let depth = wheel.descent - self.node.0 - wheel.yaw_squared * lift * slope;
+        let approach = depth * stretch;
 
         let row = &self.rows[self.place.index];
         let [light, loaded] = row.stiffness.each_ref().map(|stiffness| stiffness.at(t));
@@ -178,7 +184,8 @@ impl<'a> PatchAt<'a> {
             by_shift: point.sin_angle + along,
             by_descent: cos_angle + along * slope,
             roll_arm: row.roll.value(t),
-            yaw_arm: slope * (0.5 * self.yaw.radius * slope + self.yaw.half),
+            by_yaw_squared: cos_angle * slope * (lift + self.yaw.half)
+                - along * (2.0 * lift + self.yaw.half + lift * slope * slope),
             approach,
             energy: 0.4 * mix(light.0, loaded.0, part) * approach * approach * approach.sqrt(),
             point,
@@ -204,11 +211,17 @@ impl<'a> PatchAt<'a> {
     /// equation that is zero there. (Chebyshev's method: Newton's with the second derivative.)
     #[inline]
     fn go_to_foot(&mut self, wheel: &WheelPlace) -> f64 {
-        let OffFoot { error, change, bend } = self.off_foot(wheel);
-        let newton = -error / change;
-        let step = newton - 0.5 * bend * newton * newton / change;
-        self.go_by(step, wheel);
-        if newton.abs() > ONE_STEP { self.search_foot(wheel) } else { change }
+        for _ in 0..CHEBYSHEV_STEPS {
+            let OffFoot { error, change, bend } = self.off_foot(wheel);
+            let newton = -error / change;
+            let step = newton - 0.5 * bend * newton * newton / change;
+            let index = self.place.index;
+            self.go_by(step, wheel);
+            if newton.abs() < ONE_STEP && self.place.index == index {
+                return change + bend * step;
+            }
+        }
+        self.search_foot(wheel)
     }
 
     /// Newton's method between bounds, where one step does not suffice.

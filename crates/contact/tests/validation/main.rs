@@ -8,6 +8,7 @@
 //! | `manchester.rs` | Manchester contact benchmark, geometry: a rigid search, and CONTACT |
 //! | `manchester_forces.rs` | the same, creep forces and friction power of CONTACT |
 //! | `geometry.rs` | the geometry table's own laws |
+//! | `pressed.rs` | a loaded contact as the gradient of its energy |
 //! | `fastsim.rs` | FASTSIM and modified FASTSIM of CONTACT: force and friction power |
 //! | `polach.rs` | published creep curves, CONTACT |
 //! | `shen_hedrick_elkins.rs` | CONTACT; Kalker's linear forces |
@@ -22,6 +23,7 @@ mod kalker;
 mod manchester;
 mod manchester_forces;
 mod polach;
+mod pressed;
 mod profiles;
 mod properties;
 mod shen_hedrick_elkins;
