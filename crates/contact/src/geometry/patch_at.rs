@@ -162,7 +162,7 @@ impl<'a> PatchAt<'a> {
         let slope = self.node.1;
         let cos_angle = 1.0 / (1.0 + slope * slope).sqrt();
         // To the tangent, as its error is of second order in that of the foot.
-        let approach = self.below_tangent(wheel) * cos_angle;
+        let approach = (self.below_tangent(wheel) * cos_angle).max(0.0);
         let lift = 0.5 * self.yaw.radius * slope;
 
         let row = &self.rows[self.place.index];
