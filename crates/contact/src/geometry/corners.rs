@@ -6,9 +6,7 @@
 //! path and on the tangent at its end, from which the other one soon lifts it. It is also what a yawed
 //! wheel does: there the flange touches earlier than the root, and the corner becomes sharp.
 
-use super::row::STEP;
-use super::search::Touch;
-use super::slots::{MOST_PATCHES, Track};
+use super::slots::{MOST_PATCHES, Track, tangent};
 
 /// Change of the slope from row to row in a corner. Yaw moves the path by R times its square times the
 /// slope; up to a yaw of 40 mrad paths that turn less do not overtake themselves.
@@ -16,10 +14,6 @@ const SHARP: f64 = 0.06;
 
 /// Turn of the slope that makes a corner.
 const TURN: f64 = 0.4;
-
-/// Rows for which floor and wall go on along their tangents: 1 mm, on which they part by more than any
-/// wheel is pressed.
-const TANGENT: usize = 20;
 
 /// Divides the tracks at their corners as long as there are slots left.
 pub(super) fn divide(tracks: &mut Vec<Track>) {
@@ -70,11 +64,4 @@ fn corner(track: &Track) -> Option<Corner> {
     }
     let large = corners.into_iter().filter(|corner| corner.turn > TURN);
     large.max_by(|a, b| a.turn.total_cmp(&b.turn))
-}
-
-/// What stands at `row` for a contact whose path ends at row `end`.
-fn tangent(touch: &Touch, end: usize, row: usize) -> Touch {
-    let drop = touch.drop + touch.slope * STEP * (row as f64 - end as f64);
-    let share = if row.abs_diff(end) <= TANGENT { touch.share } else { 0.0 };
-    Touch { drop, share, ..*touch }
 }

@@ -10,8 +10,9 @@
 //! share = s + (1 - s) Z/(Z + Z_neighbour)
 //! ```
 //!
-//! of its Hertzian stiffness. Two lobes that hardly differ thus share one stiffness, two that are
-//! clearly apart have one each, and a lobe far above its neighbour fades in from nothing.
+//! of its Hertzian stiffness. Two lobes that hardly differ thus share one stiffness, and two that are
+//! clearly apart have one each. A lobe far above its neighbour has its own whatever the barrier: it bears
+//! nothing before the other is pressed as far, and no force comes from a stiffness that grows under load.
 
 use super::search::SOFTNESS;
 
@@ -49,10 +50,15 @@ pub(super) fn lobes(gaps: &[f64]) -> Vec<Lobe> {
     }
     for i in 1..lobes.len() {
         let share = (barrier(gaps, &lobes, i - 1) - SOFTNESS) / (APART - SOFTNESS);
-        let share = share.clamp(0.0, 1.0);
-        lobes[i].separation = share * share * (3.0 - 2.0 * share);
+        lobes[i].separation = smooth(share);
     }
     lobes
+}
+
+/// From 0 to 1 as `t` does, without kinks.
+pub(super) fn smooth(t: f64) -> f64 {
+    let t = t.clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
 }
 
 /// A lobe for every local minimum below `ceiling`; neighbours meet at the highest gap between them.

@@ -160,11 +160,10 @@ impl<'a> PatchAt<'a> {
         let change = self.go_to_foot(wheel);
         let t = self.place.part;
         let slope = self.node.1;
-        let stretch = (1.0 + slope * slope).sqrt();
-        let cos_angle = 1.0 / stretch;
+        let cos_angle = 1.0 / (1.0 + slope * slope).sqrt();
+        // To the tangent, as its error is of second order in that of the foot.
+        let approach = (self.below_tangent(wheel) * cos_angle).max(0.0);
         let lift = 0.5 * self.yaw.radius * slope;
-        let depth = wheel.descent - self.node.0 - wheel.yaw_squared * lift * slope;
-        let approach = depth * stretch;
 
         let row = &self.rows[self.place.index];
         let [light, loaded] = row.stiffness.each_ref().map(|stiffness| stiffness.at(t));

@@ -18,7 +18,7 @@
 //! k = 2 pi s/Z^2 is the curvature of the parabola that comes as close over the same width. It is
 //! always positive, and near a jump it counts both lobes.
 
-use super::lobes::{Lobe, lobes};
+use super::lobes::{Lobe, lobes, smooth};
 use super::pair::ProfilePair;
 use crate::hertz::UnitContact;
 use crate::{ProfilePoint, STEEL, profile::rail_head::RailHead};
@@ -43,6 +43,10 @@ const SAMPLE_STEP: f64 = 1e-5;
 
 /// Gaps that exceed the least by more than this many s have no weight worth counting.
 const NEGLIGIBLE: f64 = 40.0;
+
+/// A lobe that lies higher above its neighbour than this is by and by a spring of its own, whatever the
+/// barrier, and wholly from twice as much, in m.
+const FAR: f64 = 4.0 * SOFTNESS;
 
 /// The rail ends where it gets steeper than this (80 degrees); no wheel is.
 const STEEPEST: f64 = 5.67;
@@ -162,10 +166,14 @@ impl Search {
         let mut touches: Vec<Touch> = lobes.iter().map(|lobe| self.mean(lobe, &place)).collect();
         for i in 1..touches.len() {
             let apart = lobes[i].separation;
-            // Z/(Z + Z') from the drops, which are -s ln Z.
-            let ratio = ((touches[i].drop - touches[i - 1].drop) / SOFTNESS).exp();
-            touches[i].share *= apart + (1.0 - apart) / (1.0 + ratio);
-            touches[i - 1].share *= apart + (1.0 - apart) / (1.0 + 1.0 / ratio);
+            let above = touches[i].drop - touches[i - 1].drop;
+            // Z/(Z + Z') from the drops, which are -s ln Z; a lobe far above its neighbour takes no part of
+            // what that one bears, and is a spring of its own.
+            let ratio = (above / SOFTNESS).exp();
+            let own = |above: f64| apart.max(smooth((above - FAR) / FAR));
+            let [here, before] = [own(above), own(-above)];
+            touches[i].share *= here + (1.0 - here) / (1.0 + ratio);
+            touches[i - 1].share *= before + (1.0 - before) / (1.0 + 1.0 / ratio);
         }
         touches
     }

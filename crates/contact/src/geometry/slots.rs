@@ -1,13 +1,19 @@
 //! Contacts followed from shift to shift.
 //!
 //! A lobe that lives on from one row of the table to the next keeps its slot, so that values can be
-//! interpolated; a new one takes a slot that is free. Rows in which a slot is not used get the values
-//! of the nearest row with one, with no share of stiffness.
+//! interpolated; a new one takes a slot that is free. Where a lobe ends, as the barrier to its neighbour
+//! sinks, its path goes on along the tangent for a while: there a wheel may still be pressed on it. Other
+//! rows in which a slot is not used have no share of stiffness.
 
+use super::row::STEP;
 use super::search::Touch;
 
 /// Most contacts of a wheel at the same time: tread, flange root and flange.
 pub const MOST_PATCHES: usize = 3;
+
+/// Rows for which a path goes on along its tangent: 1 mm, on which it parts from its neighbour by more
+/// than any wheel is pressed.
+const TANGENT: usize = 20;
 
 /// Rows for which a slot must have been free before another lobe takes it.
 const REST: usize = 4;
@@ -15,9 +21,9 @@ const REST: usize = 4;
 /// A slot's contact in every row of the table.
 pub(super) type Track = Vec<Touch>;
 
-/// The contacts of every row, a `step` of shift apart, sorted into slots; slots never used are left
+/// The contacts of every row, sorted into slots; slots never used are left
 /// out. The first slot holds the contact of the first row.
-pub(super) fn follow(rows: &[Vec<Touch>], step: f64) -> Vec<Track> {
+pub(super) fn follow(rows: &[Vec<Touch>]) -> Vec<Track> {
     let mut slots: Vec<Vec<Option<Touch>>> = vec![vec![None; rows.len()]; MOST_PATCHES];
     for (i, touches) in rows.iter().enumerate() {
         let mut left: Vec<Touch> = touches.clone();
@@ -31,7 +37,7 @@ pub(super) fn follow(rows: &[Vec<Touch>], step: f64) -> Vec<Track> {
             }
         }
     }
-    slots.iter().filter_map(|slot| filled(slot, step)).collect()
+    slots.iter().filter_map(|slot| filled(slot)).collect()
 }
 
 /// The slot and the contact in row `i` that continue each other best, of those that may.
@@ -64,20 +70,29 @@ fn free(slots: &[Vec<Option<Touch>>], i: usize) -> Option<usize> {
 }
 
 /// A slot with its empty rows filled; nothing if all are empty.
-fn filled(slot: &[Option<Touch>], step: f64) -> Option<Track> {
+fn filled(slot: &[Option<Touch>]) -> Option<Track> {
     let used: Vec<usize> = (0..slot.len()).filter(|&i| slot[i].is_some()).collect();
     used.first()?;
     let mut track = Vec::with_capacity(slot.len());
     for i in 0..slot.len() {
         let after = used.partition_point(|&row| row < i);
-        let candidates = [after.checked_sub(1), Some(after)].into_iter().flatten();
-        let near = candidates.filter_map(|k| used.get(k)).min_by_key(|row| row.abs_diff(i))?;
-        let mut touch = slot[*near]?;
-        if *near != i {
-            touch.drop += touch.slope * step * (i as f64 - *near as f64);
+        let neighbours = [after.checked_sub(1), Some(after)].map(|k| used.get(k?).copied());
+        let near = neighbours.into_iter().flatten().min_by_key(|row| row.abs_diff(i))?;
+        let mut touch = tangent(&slot[near]?, near, i);
+        if let [Some(before), Some(after)] = neighbours
+            && near != i
+            && after - before <= 2 * TANGENT
+        {
             touch.share = 0.0;
         }
         track.push(touch);
     }
     Some(track)
+}
+
+/// What stands at `row` for a contact whose path ends at row `end`.
+pub(super) fn tangent(touch: &Touch, end: usize, row: usize) -> Touch {
+    let drop = touch.drop + touch.slope * STEP * (row as f64 - end as f64);
+    let share = if row.abs_diff(end) <= TANGENT { touch.share } else { 0.0 };
+    Touch { drop, share, ..*touch }
 }

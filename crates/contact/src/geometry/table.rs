@@ -72,7 +72,7 @@ impl GeometryTable {
         rows.reverse();
         rows.push(centred);
         rows.extend((1..=ROWS_TOWARDS).map(touches).take_while(on_rail));
-        let mut tracks = slots::follow(&rows, STEP);
+        let mut tracks = slots::follow(&rows);
         corners::divide(&mut tracks);
         let patches = tracks.iter().map(|track| TablePatch::new(pair, track, level)).collect();
         let begin = -(before as f64) * STEP;
