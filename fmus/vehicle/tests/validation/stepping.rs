@@ -65,17 +65,16 @@ fn property_step_convergence_on_elastic_rails() {
     }
 }
 
-/// Every vehicle in the tightest curves at 1, 3, 5, 10 and 15 m/s, where flanges press, with the steps that
+/// Every vehicle in the tightest curves at 1 to 15 m/s (below 1.2 m/s2), where flanges press, with the steps that
 /// its FMU takes in 1 ms against a quarter of them: wheel loads within 0.1 % of the static ones, root mean
 /// square over 3 s. A wheelset that rings on its flange is off by a quarter of its load and more.
 #[test]
 fn property_steps_of_1_ms_do_not_ring_in_tight_curves() {
+    let speeds = |radius| [1.0, 3.0, 5.0, 10.0, 15.0].map(|speed: f64| (radius, speed));
+    let curves: Vec<(f64, f64)> = [150.0, 200.0, 300.0].into_iter().flat_map(speeds).collect();
     for name in VEHICLES {
         let structure = from_stock(name);
-        for (radius, speed) in [150.0, 200.0, 300.0]
-            .into_iter()
-            .flat_map(|r| [1.0, 3.0, 5.0, 10.0, 15.0].map(|v| (r, v)))
-        {
+        for &(radius, speed) in curves.iter().filter(|(r, v)| v * v / r < 1.2) {
             let case = format!("{name}, R {radius} m, {speed} m/s");
             let curve = format!("alignment = [{{ length_m = 1e6, radius_m = {radius} }}]");
             let inputs = Inputs::none(FRICTION);
