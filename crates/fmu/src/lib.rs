@@ -140,5 +140,5 @@ pub use state::SavedState;
 pub use status::Status;
 pub use terminals::{Terminal, terminals};
 pub use unit::Unit;
-pub use values::{Boolean, Integer, Real, Text, Values};
+pub use values::{Boolean, Integer, Real, Reals, Text, Values};
 pub use variable::{Causality, Declaration, Initial, Kind, Variability, Variable};

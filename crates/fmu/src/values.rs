@@ -73,6 +73,40 @@ impl Clone for Values {
     }
 }
 
+/// Handle of Real variables that were declared one after the other, to read or write all at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reals<const N: usize> {
+    first: u32,
+}
+
+impl<const N: usize> Reals<N> {
+    /// The variables with these handles.
+    ///
+    /// # Panics
+    /// When they were not declared one after the other.
+    pub fn new(handles: [Real; N]) -> Self {
+        let first = handles[0].0;
+        let in_turn = (first..).zip(handles).all(|(reference, handle)| handle.0 == reference);
+        assert!(in_turn, "{handles:?} were not declared one after the other");
+        Self { first }
+    }
+}
+
+impl<const N: usize> Index<Reals<N>> for Values {
+    type Output = [f64; N];
+    fn index(&self, handle: Reals<N>) -> &[f64; N] {
+        let reals = self.reals[handle.first as usize..].first_chunk();
+        reals.expect("all of them have a value")
+    }
+}
+
+impl<const N: usize> IndexMut<Reals<N>> for Values {
+    fn index_mut(&mut self, handle: Reals<N>) -> &mut [f64; N] {
+        let reals = self.reals[handle.first as usize..].first_chunk_mut();
+        reals.expect("all of them have a value")
+    }
+}
+
 handles! {
     /// Handle of a Real variable.
     Real => reals: f64,
@@ -82,4 +116,24 @@ handles! {
     Boolean => booleans: bool,
     /// Handle of a String variable.
     Text => texts: String,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn property_several_reals_are_those_of_their_handles() {
+        let mut values = Values { reals: vec![0.0; 5], ..Values::default() };
+        let handles = [Real(2), Real(3)];
+        values[Reals::new(handles)] = [1.0, 2.0];
+        assert_eq!(handles.map(|handle| values[handle]), values[Reals::new(handles)]);
+        assert_eq!(values.reals, [0.0, 0.0, 1.0, 2.0, 0.0]);
+    }
+
+    #[test]
+    #[should_panic(expected = "one after the other")]
+    fn property_several_reals_lie_side_by_side() {
+        Reals::new([Real(2), Real(4)]);
+    }
 }

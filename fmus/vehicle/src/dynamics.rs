@@ -17,6 +17,7 @@ use crate::inputs::Inputs;
 use crate::line::Line;
 use crate::rail::{Deflection, RailMotion};
 use crate::structure::Structure;
+use crate::suspension::pair::Between;
 use crate::suspension::{ElementEnergy, ElementState};
 use crate::wheel_output::WheelOutput;
 use crate::wheelset::WheelsetStep;
@@ -65,6 +66,7 @@ pub struct Dynamics {
     step: f64,
     placements: Vec<Placement>,
     seen: Vec<Seen>,
+    between: Vec<Between>,
     pub(crate) wrenches: Vec<Wrench>,
     pub(crate) track_index: usize,
 }
@@ -90,6 +92,7 @@ impl Dynamics {
             step: 0.0,
             placements: vec![Placement::default(); bodies],
             seen: vec![Seen::default(); bodies],
+            between: vec![Between::default(); structure.suspension.pairs.len()],
             wrenches: vec![Wrench::default(); bodies],
             track_index: 0,
             structure,
@@ -252,14 +255,14 @@ impl Dynamics {
             self.seen[i] = state.seen(body, &self.frames[i], &placement);
             self.placements[i] = placement;
         }
+        let suspension = &structure.suspension;
+        for (place, between) in self.between.iter_mut().zip(suspension.between(&self.seen)) {
+            *place = between;
+        }
+        let (between, elements) = (&mut self.between, &mut self.state.elements);
+        self.elements = suspension.apply(between, elements, &self.decay, step);
         self.wrenches.fill(Wrench::default());
-        self.elements = structure.suspension.apply(
-            &self.seen,
-            &mut self.state.elements,
-            &self.decay,
-            step,
-            &mut self.wrenches,
-        );
+        suspension.pass_on(&self.between, &mut self.wrenches);
         self.state.account.suspension_heat += step * self.elements.dissipated;
         for (i, body) in structure.bodies.iter().enumerate() {
             let (wrench, placement) = (&mut self.wrenches[i], &self.placements[i]);

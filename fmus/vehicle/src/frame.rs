@@ -105,7 +105,7 @@ impl Placement {
 /// Sine and cosine of a cant angle: series, with an error below 3e-6 up to 0.2 rad (300 mm).
 fn sin_cos(angle: f64) -> (f64, f64) {
     let square = angle * angle;
-    (angle * (1.0 - square / 6.0), 1.0 - square * (0.5 - square / 24.0))
+    (angle * (1.0 - square * (1.0 / 6.0)), 1.0 - square * (0.5 - square * (1.0 / 24.0)))
 }
 
 #[cfg(test)]

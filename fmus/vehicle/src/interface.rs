@@ -113,7 +113,9 @@ impl Vehicle {
     fn check_numbers(&self) -> Result<(), ModelError> {
         let dynamics = &self.dynamics;
         let broken = |wheels: &[WheelOutput; 2]| {
-            wheels.iter().any(|wheel| !(wheel.normal + wheel.friction_power).is_finite())
+            wheels
+                .iter()
+                .any(|wheel| !(wheel.total.normal + wheel.total.friction_power).is_finite())
         };
         let position = dynamics.position();
         match dynamics.wheels.iter().position(broken) {

@@ -11,11 +11,11 @@
 //! | `line.rs` | what a vehicle runs on: designed track, irregularities, support |
 //! | `rail.rs` | the rails under a wheelset: irregularities, elastic support |
 //! | `wheel.rs`, `patch.rs`, `rows.rs` | a wheel and the contacts in which it touches: approach, normal force, slip |
-//! | `wheelset.rs` | a wheelset's step with its contact forces |
+//! | `wheelset.rs`, `slip_mobility.rs` | a wheelset's step with its contact forces; how much of creep is implicit in it |
 //! | `wheel_output.rs` | what a wheel does to its rail at the end of a step |
 //! | `drive.rs` | traction and brake of a wheelset |
 //! | `dynamics.rs`, `outer_forces.rs` | the vehicle in motion: state and step; forces of couplers and train |
-//! | `equilibrium.rs` | the start in equilibrium |
+//! | `equilibrium/` | the start in equilibrium |
 //! | `statics.rs`, `linear/` | static load of the springs; the vehicle linearised |
 //! | `energy.rs`, `inputs.rs`, `six.rs` | energy account; forces from outside; algebra |
 //! | `signals/`, `interface.rs` | the model as an FMU: its variables, its life |
@@ -40,6 +40,7 @@ pub mod rail;
 pub mod rows;
 mod signals;
 pub mod six;
+pub mod slip_mobility;
 mod statics;
 pub mod structure;
 pub mod suspension;

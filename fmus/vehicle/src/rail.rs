@@ -116,14 +116,14 @@ impl Deflection {
 /// Stiffness of Hertz's contact, which stores 2/5 of force times approach: 3/2 F over the approach.
 fn contact_stiffness(wheel: &WheelOutput) -> f64 {
     match wheel.elastic_energy > 0.0 {
-        true => 0.6 * wheel.normal * wheel.normal / wheel.elastic_energy,
+        true => 0.6 * wheel.total.normal * wheel.total.normal / wheel.elastic_energy,
         false => 0.0,
     }
 }
 
 /// Creep force over slip velocity.
 fn creep_slope(wheel: &WheelOutput, speed: f64) -> f64 {
-    let creepage = wheel.creepages.longitudinal.hypot(wheel.creepages.lateral);
+    let creepage = wheel.total.creepages.longitudinal.hypot(wheel.total.creepages.lateral);
     let slip = (creepage * speed.abs()).max(LEAST_SLIP);
-    wheel.longitudinal.hypot(wheel.lateral) / slip
+    wheel.total.longitudinal.hypot(wheel.total.lateral) / slip
 }

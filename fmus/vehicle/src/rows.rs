@@ -54,15 +54,18 @@ impl Rows {
         let (sin, cos) = (sign * point.sin_angle, point.cos_angle);
         let radius = data.radius + point.radius_change + pressed.approach * cos;
         let across = sign * (data.half_distance + point.wheel_lateral);
-        // Under yaw the contact lies ahead of the axle or behind it (eq. 17a); tan = -slope.
-        let ahead = -sign * yaw * radius * point.slope;
+        // Under yaw the contact lies ahead of the axle or behind it (eq. 17a); tan = -slope. There it
+        // is less far below the axle.
+        let turned = -sign * yaw * point.slope;
+        let ahead = radius * turned;
+        let below = radius * (1.0 - 0.5 * turned * turned);
         // The derivatives of the place in the table (eq. 16), so that the normal force does the work of
         // the elastic energy.
         let (by_shift, by_descent) = (sign * pressed.by_shift, pressed.by_descent);
         let arm = sign * (data.half_distance + pressed.roll_arm);
         let by_yaw = 2.0 * yaw * pressed.by_yaw_squared;
         Self {
-            longitudinal: [1.0, yaw, radius, -across],
+            longitudinal: [1.0, yaw, below, -across],
             lateral: [
                 -yaw * cos,
                 cos,

@@ -23,7 +23,7 @@ pub fn add<const N: usize>(at: [usize; N], row: &[f64; N], factor: f64, vector: 
 }
 
 /// Adds `factor` row rowᵀ to the lower triangle; `at` rises.
-#[inline]
+#[inline(always)]
 pub fn add_outer<const N: usize>(
     at: [usize; N],
     row: &[f64; N],

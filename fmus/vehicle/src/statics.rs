@@ -4,9 +4,10 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 
 use crate::body::{Seen, Wrench};
 use crate::frame::GRAVITY;
-use crate::linear::{self, System};
+use crate::linear::System;
 use crate::structure::Structure;
 use crate::suspension::ElementEnergy;
+use crate::suspension::pair::Point;
 
 /// Names of a body's coordinates.
 const COORDINATES: [&str; 6] = ["x", "y", "z", "roll", "pitch", "yaw"];
@@ -51,7 +52,9 @@ fn set_wheel_loads(structure: &mut Structure) {
     let at_rest = vec![Seen::default(); structure.bodies.len()];
     let suspension = &structure.suspension;
     let decay = vec![0.0; suspension.dampers.len()];
-    suspension.apply(&at_rest, &mut suspension.at_rest(), &decay, 1.0, &mut wrenches);
+    let mut between: Vec<_> = suspension.between(&at_rest).collect();
+    suspension.apply(&mut between, &mut suspension.at_rest(), &decay, 1.0);
+    suspension.pass_on(&between, &mut wrenches);
     for data in &mut structure.wheelsets {
         let pressed = wrenches[data.body].force.z;
         data.static_wheel_load = 0.5 * (pressed + structure.bodies[data.body].mass * GRAVITY);
@@ -63,15 +66,17 @@ fn load(structure: &Structure, free: usize) -> DVector<f64> {
     let mut wrenches = vec![Wrench::default(); structure.bodies.len()];
     let at_rest = vec![Seen::default(); structure.bodies.len()];
     let (suspension, energy) = (&structure.suspension, &mut ElementEnergy::default());
+    let mut between: Vec<_> = suspension.between(&at_rest).collect();
     for spring in &suspension.tabulated_springs {
-        spring.apply(&at_rest, &mut wrenches, energy);
+        spring.apply(&mut between[spring.at.pair], energy);
     }
     for wedge in &suspension.wedges {
-        wedge.apply(&at_rest, &mut [0.0; 2], 1.0, &mut wrenches, energy);
+        wedge.apply(&mut between[wedge.at.pair], &mut [0.0; 2], 1.0, energy);
     }
     for bearer in &suspension.side_bearers {
-        bearer.apply(&at_rest, &mut [0.0; 2], 1.0, &mut wrenches, energy);
+        bearer.apply(&mut between[bearer.at.pair], &mut [0.0; 2], 1.0, energy);
     }
+    suspension.pass_on(&between, &mut wrenches);
     let bodies = structure.bodies.iter().zip(wrenches).take(free);
     let parts = bodies.flat_map(|(body, Wrench { mut force, moment })| {
         force.z += body.mass * GRAVITY;
@@ -83,21 +88,20 @@ fn load(structure: &Structure, free: usize) -> DVector<f64> {
 /// The static forces of the springs of a vehicle that has sunk as `seen` says.
 fn set_forces(structure: &mut Structure, seen: &[Seen]) {
     let suspension = &mut structure.suspension;
+    let between: Vec<_> = suspension.between(seen).collect();
+    let stretch = |at: &Point| between[at.pair].apart(&at.arm);
     for spring in &mut suspension.springs {
-        let stretch = linear::stretch(&spring.ends, seen);
-        spring.preload = -spring.stiffness.component_mul(&stretch);
+        spring.preload = -spring.stiffness.component_mul(&stretch(&spring.at));
     }
     for spring in &mut suspension.rotational_springs {
-        let turned = seen[spring.bodies[1]].rotation - seen[spring.bodies[0]].rotation;
-        spring.preload = -spring.stiffness.component_mul(&turned);
+        spring.preload = -spring.stiffness.component_mul(&between[spring.pair].turned);
     }
     for rod in &mut suspension.rods {
-        let stretch = linear::stretch(&rod.ends, seen);
+        let stretch = between[rod.at.pair].apart(&(rod.at.arm + rod.line));
         rod.preload = rod.stiffness * stretch.dot(&rod.line.normalize());
     }
     for plate in &mut suspension.centre_plates {
-        let stretch = linear::stretch(&plate.ends, seen);
-        let turned = seen[plate.ends.bodies[1]].rotation - seen[plate.ends.bodies[0]].rotation;
+        let (stretch, turned) = (stretch(&plate.at), between[plate.at.pair].turned);
         plate.preload = [0, 1].map(|axis| -plate.stiffness[axis] * stretch[axis]);
         let stiffness = 0.25 * plate.stiffness.z;
         plate.rim_preload = plate.rim().map(|arm| -stiffness * (stretch.z + turned.cross(&arm).z));

@@ -10,6 +10,7 @@ use stock::Multibody;
 use crate::body::RigidBody;
 use crate::creep_law;
 use crate::linear;
+use crate::slip_mobility::SlipMobility;
 use crate::statics::{self, Loose};
 use crate::suspension::Suspension;
 use crate::suspension::compile::index;
@@ -78,6 +79,8 @@ pub struct WheelsetData {
     pub frame: usize,
     /// Its wheels.
     pub wheel: WheelData,
+    /// How easily creep moves its contacts.
+    pub slip_mobility: SlipMobility,
     /// Contact geometry of its wheels on the rails.
     pub table: Arc<GeometryTable>,
     /// Vertical load of each of its wheels at rest on straight level track, N.
@@ -194,14 +197,13 @@ fn wheelsets(
             flange_back_distance: contact.flange_back_distance_mm * 1e-3,
             nominal_radius: wheelset.wheel_radius_m,
         };
+        let body = index(bodies, &wheelset.name);
+        let (radius, half_distance) = (wheelset.wheel_radius_m, pair.running_circle());
         wheelsets.push(WheelsetData {
-            body: index(bodies, &wheelset.name),
+            body,
             frame: index(bodies, &wheelset.frame),
-            wheel: WheelData {
-                radius: wheelset.wheel_radius_m,
-                half_distance: pair.running_circle(),
-                damping: contact.damping_s_m,
-            },
+            wheel: WheelData { radius, half_distance, damping: contact.damping_s_m },
+            slip_mobility: SlipMobility::new(&bodies[body], radius),
             table: GeometryTable::shared(&pair).map_err(|error| ("multibody.contact", error))?,
             static_wheel_load: 0.0,
             traction_share: if wheelset.powered { 1.0 / powered as f64 } else { 0.0 },

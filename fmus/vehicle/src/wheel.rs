@@ -92,6 +92,12 @@ impl Wheel {
         &self.patches
     }
 
+    /// The same, to be changed.
+    #[inline]
+    pub fn patches_mut(&mut self) -> &mut [Patch] {
+        &mut self.patches
+    }
+
     /// Place on the rail head of the nearest contact of a lifted wheel, m.
     pub fn nearest(&self) -> f64 {
         self.nearest

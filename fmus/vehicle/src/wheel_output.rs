@@ -11,9 +11,9 @@ use crate::wheel::{PATCHES, Standing, Wheel};
 /// normal force: far below any that heats, so that it counts only where nothing slips.
 const LEAST_POWER: f64 = 1e-9;
 
-/// One contact at the end of a step; all zero without contact.
+/// One contact, or all of a wheel, at the end of a step; all zero without contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PatchOutput {
+pub struct ContactOutput {
     /// Creepages; longitudinal positive in traction, lateral and spin of the wheel on the rail.
     pub creepages: Creepages,
     /// Creep force on the wheel along the track, N, positive when it drives the vehicle forward.
@@ -35,37 +35,21 @@ pub struct PatchOutput {
 }
 
 /// A wheel with all its contacts at the end of a step.
-///
-/// Forces and power are sums over the contacts; creepages, semi-axes and place are means weighted by
-/// the friction power, as they say where the heat arises.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelOutput {
-    /// Creepages; longitudinal positive in traction, lateral and spin of the wheel on the rail.
-    pub creepages: Creepages,
-    /// Creep force on the wheel along the track, N, positive when it drives the vehicle forward.
-    pub longitudinal: f64,
-    /// Creep force on the wheel across, in the contact planes, N, positive to the right.
-    pub lateral: f64,
-    /// Normal force, N.
-    pub normal: f64,
+    /// All contacts together. Forces and power are sums; the rest are means weighted by the friction
+    /// power, as they say where the heat arises.
+    pub total: ContactOutput,
     /// Lateral force on the wheel in the plane of the rails, N, positive to the right.
     pub guiding: f64,
     /// Force of the rail on the wheel upwards, square to the plane of the rails, N.
     pub vertical: f64,
-    /// Power turned into heat, W.
-    pub friction_power: f64,
-    /// Semi-axis of the contact in the rolling direction, m.
-    pub a: f64,
-    /// Semi-axis across, m.
-    pub b: f64,
-    /// Place on the rail head, m from its top, negative towards the gauge side.
-    pub rail_lateral: f64,
     /// Elastic energy of the contacts, J.
     pub elastic_energy: f64,
     /// How the wheel stands on its rail.
     pub standing: Standing,
     /// The contacts by their number in the geometry table: tread first, then towards the flange.
-    pub patches: [PatchOutput; PATCHES],
+    pub patches: [ContactOutput; PATCHES],
 }
 
 /// Forces of a contact at the end of a step, N.
@@ -110,35 +94,67 @@ impl WheelOutput {
     /// place, as copying it took a good part of a step.)
     pub fn take(&mut self, wheel: &Wheel, change: &Six, speed: f64) -> Heat {
         let mut heat = Heat::default();
-        *self = Self::default();
-        let mut weights = 0.0;
-        for patch in wheel.patches().iter().filter(|patch| patch.forces.normal > 0.0) {
+        let mut total = ContactOutput::default();
+        let (mut guiding, mut vertical, mut elastic_energy, mut weights) = (0.0, 0.0, 0.0, 0.0);
+        self.clear_patches();
+        for patch in wheel.patches() {
+            elastic_energy += patch.elastic_energy;
+            if patch.forces.normal <= 0.0 {
+                continue;
+            }
             let change = patch.rows.motion(change);
             let end = EndForces::new(&patch.forces, &change);
             let middle = patch.motion.after(0.5, &change);
             heat.friction += end.heat(&middle.slip);
             heat.damping += (end.normal - patch.elastic_force) * middle.approach;
-            let shown = patch_output(patch, &end, &patch.motion.after(1.0, &change).slip, speed);
+            guiding += patch.rows.across(end.lateral, end.normal);
+            vertical += patch.rows.upwards(end.lateral, end.normal);
+            let shown = &mut self.patches[patch.number];
+            *shown = ContactOutput::new(patch, &end, &patch.motion.after(1.0, &change).slip, speed);
             let weight = shown.friction_power.max(0.0) + LEAST_POWER * shown.normal;
-            self.add(&shown, weight);
+            total.add(shown, weight);
             weights += weight;
-            self.guiding += patch.rows.across(end.lateral, end.normal);
-            self.vertical += patch.rows.upwards(end.lateral, end.normal);
-            self.patches[patch.number] = shown;
         }
-        let elastic = wheel.patches().iter().map(|patch| patch.elastic_energy);
-        self.elastic_energy = elastic.sum();
-        self.standing = wheel.standing();
         if weights > 0.0 {
-            self.divide(weights);
+            total.divide(weights);
         } else {
-            self.rail_lateral = wheel.nearest();
+            total.rail_lateral = wheel.nearest();
         }
+        (self.total, self.guiding, self.vertical) = (total, guiding, vertical);
+        (self.elastic_energy, self.standing) = (elastic_energy, wheel.standing());
         heat
     }
 
+    /// Forgets the contacts of the last step; those that were not there are zero already.
+    fn clear_patches(&mut self) {
+        for patch in self.patches.iter_mut().filter(|patch| patch.normal != 0.0) {
+            *patch = ContactOutput::default();
+        }
+    }
+}
+
+impl ContactOutput {
+    /// The contact with these forces and this slip.
+    #[inline]
+    fn new(patch: &Patch, end: &EndForces, slip: &SlipVelocity, speed: f64) -> Self {
+        let mut creepages = slip.creepages(speed);
+        creepages.longitudinal = -creepages.longitudinal;
+        Self {
+            creepages,
+            longitudinal: end.longitudinal,
+            lateral: end.lateral,
+            normal: end.normal,
+            friction_power: end.heat(slip),
+            a: patch.forces.a,
+            b: patch.forces.b,
+            rail_lateral: patch.rail_lateral,
+            angle: patch.angle(),
+        }
+    }
+
     /// Adds a contact, with `weight` in the means.
-    fn add(&mut self, patch: &PatchOutput, weight: f64) {
+    #[inline]
+    fn add(&mut self, patch: &Self, weight: f64) {
         self.longitudinal += patch.longitudinal;
         self.lateral += patch.lateral;
         self.normal += patch.normal;
@@ -149,9 +165,11 @@ impl WheelOutput {
         self.a += weight * patch.a;
         self.b += weight * patch.b;
         self.rail_lateral += weight * patch.rail_lateral;
+        self.angle += weight * patch.angle;
     }
 
-    /// Makes means of the weighted sums.
+    /// Makes means of the sums weighted by `weights` in all.
+    #[inline]
     fn divide(&mut self, weights: f64) {
         let share = 1.0 / weights;
         self.creepages.longitudinal *= share;
@@ -160,21 +178,6 @@ impl WheelOutput {
         self.a *= share;
         self.b *= share;
         self.rail_lateral *= share;
-    }
-}
-
-fn patch_output(patch: &Patch, end: &EndForces, slip: &SlipVelocity, speed: f64) -> PatchOutput {
-    let mut creepages = slip.creepages(speed);
-    creepages.longitudinal = -creepages.longitudinal;
-    PatchOutput {
-        creepages,
-        longitudinal: end.longitudinal,
-        lateral: end.lateral,
-        normal: end.normal,
-        friction_power: end.heat(slip),
-        a: patch.forces.a,
-        b: patch.forces.b,
-        rail_lateral: patch.rail_lateral,
-        angle: patch.angle(),
+        self.angle *= share;
     }
 }

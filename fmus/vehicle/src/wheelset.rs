@@ -1,8 +1,9 @@
 //! A wheelset's step: its six velocities with the contact forces taken at the end of the step.
 //!
 //! Creep at low speed is far too stiff for an explicit step (rate 2 f r²/(I v): 1e4/s and more).
-//! The forces are f + df, with df = -D J dv linear in the change of the six velocities, D being the
-//! secants of the creep law (never negative) and the normal damping, J the rows of the contacts.
+//! The forces are f + df, with df = -D J dv linear in the change of the six velocities, D being what
+//! counts of the creep law's secants (`slip_mobility.rs`, never negative) and the normal damping, J
+//! the rows of the contacts.
 //! Then (M + h Jᵀ D J) dv = h (F + Jᵀ f) (eq. 25), a definite system of six.
 
 use contact::CreepLaw;
@@ -63,6 +64,9 @@ impl WheelsetStep<'_> {
                 turning: self.frame.rotation.z,
             };
             wheel.touch(&self.data.table, &motion, self.creep);
+            for patch in wheel.patches_mut() {
+                self.data.slip_mobility.reduce(&mut patch.forces.creep, self.step);
+            }
         }
 
         let drive = self.drive.linearised(before[4]);

@@ -14,6 +14,7 @@
 //! ny²)) and a/(a + b).
 
 use super::fastsim::{Action, Division, Motion, march};
+use std::array::from_fn;
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -23,11 +24,23 @@ const NODES: [usize; 4] = [25, 9, 11, 9];
 /// Distances of neighbouring nodes over size, direction, part of the spin and shape.
 const STRIDES: [usize; 4] = [1, NODES[0], NODES[0] * NODES[1], NODES[0] * NODES[1] * NODES[2]];
 
+/// Nodes from the first to the last one of a cell between neighbouring nodes.
+const CELL: usize = 1 + STRIDES[0] + STRIDES[1] + STRIDES[2] + STRIDES[3];
+
+/// First nodes in a cell of its edges over size.
+const EDGES: [usize; 8] = {
+    let [_, x, y, z] = STRIDES;
+    [0, x, y, x + y, z, x + z, y + z, x + y + z]
+};
+
 /// Largest m; beyond it all slips, and only the direction counts.
 const LARGEST: f64 = 30.0;
 
 /// Least and greatest a/(a + b): ellipses of 1:24.
 const SHAPES: (f64, f64) = (0.04, 0.96);
+
+/// 1 over the range of shapes.
+const PER_SHAPES: f64 = 1.0 / (SHAPES.1 - SHAPES.0);
 
 /// Distance from the ends 0 and 1 at which ratios with a vanishing creepage are taken.
 const EDGE: f64 = 1e-3;
@@ -102,7 +115,7 @@ impl FastsimTable {
             inside / (1.0 + inside) * ((1.0 + LARGEST) / LARGEST),
             ny / (nx + ny + tiny),
             z / (slide + z + tiny),
-            (motion.a_over_b / (1.0 + motion.a_over_b) - SHAPES.0) / (SHAPES.1 - SHAPES.0),
+            (motion.a_over_b / (1.0 + motion.a_over_b) - SHAPES.0) * PER_SHAPES,
         ];
         let v = self.interpolated(places);
         let turn = 1.0_f64.copysign(motion.lateral * motion.spin);
@@ -125,32 +138,28 @@ impl FastsimTable {
         let mut part = [0.0; 4];
         for k in 0..4 {
             let place = places[k].clamp(0.0, 1.0) * (NODES[k] - 1) as f64;
-            let index = (place as usize).min(NODES[k] - 2);
+            let index = (place as u32 as usize).min(NODES[k] - 2);
             first += index * STRIDES[k];
             part[k] = place - index as f64;
         }
-        let corners = &self.nodes[first..][..=STRIDES[0] + STRIDES[1] + STRIDES[2] + STRIDES[3]];
-        let over_size = |node: usize| {
-            between(&corners[node].map(f64::from), &corners[node + 1].map(f64::from), part[0])
-        };
-        let over_direction =
-            |node: usize| between(&over_size(node), &over_size(node + STRIDES[1]), part[1]);
-        let over_spin = |node: usize| {
-            between(&over_direction(node), &over_direction(node + STRIDES[2]), part[2])
-        };
-        between(&over_spin(0), &over_spin(STRIDES[3]), part[3])
+        let cell = self.nodes[first..].first_chunk::<CELL>().expect("places lie within the table");
+        let at = |node: usize| cell[node].map(f64::from);
+        let edges = EDGES.map(|node| between(&at(node), &at(node + STRIDES[0]), part[0]));
+        let faces: [_; 4] = from_fn(|i| between(&edges[2 * i], &edges[2 * i + 1], part[1]));
+        let sides: [_; 2] = from_fn(|i| between(&faces[2 * i], &faces[2 * i + 1], part[2]));
+        between(&sides[0], &sides[1], part[3])
     }
 }
 
 /// `part` of the way from the ratios of one place to those of another.
 #[inline]
 fn between(one: &[f64; 8], other: &[f64; 8], part: f64) -> [f64; 8] {
-    std::array::from_fn(|i| one[i] + part * (other[i] - one[i]))
+    from_fn(|i| one[i] + part * (other[i] - one[i]))
 }
 
 /// The ratios at the node with these indices.
 fn node(index: [usize; 4]) -> Node {
-    let place: [f64; 4] = std::array::from_fn(|k| index[k] as f64 / (NODES[k] - 1) as f64);
+    let place: [f64; 4] = from_fn(|k| index[k] as f64 / (NODES[k] - 1) as f64);
     let reduced = place[0].max(EDGE) * LARGEST / (1.0 + LARGEST);
     let m = reduced / (1.0 - reduced);
     let direction = place[1].clamp(EDGE, 1.0 - EDGE);

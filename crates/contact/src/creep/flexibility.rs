@@ -24,7 +24,7 @@
 
 use super::Creepages;
 use crate::{ContactPatch, STEEL};
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_1_PI, FRAC_PI_4, PI};
 
 /// Reduction of the stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +94,7 @@ impl Stiffness {
 fn coefficients(patch: &ContactPatch, creepages: &Creepages, limit: f64) -> [f64; 3] {
     let (a, b, kalker) = (patch.a, patch.b, &patch.kalker);
     let (c11, c22) = (kalker.c11, kalker.c22);
-    let own = [0.375 * c11, 0.375 * c22, kalker.c23 * (b / a).sqrt() / FRAC_PI_4];
+    let own = [0.375 * c11, 0.375 * c22, 4.0 * FRAC_1_PI * kalker.c23 * (b / a).sqrt()];
     let square = |value: f64| value * value;
     let (xi, eta) = (square(creepages.longitudinal), square(creepages.lateral));
     let spin = square(creepages.spin * a * (FRAC_PI_4 * 0.375));

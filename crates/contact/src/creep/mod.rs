@@ -45,11 +45,11 @@ impl SlipVelocity {
     /// Creepages at a rolling `speed` in m/s, whose magnitude counts as [`REFERENCE_SPEED_MIN`] at
     /// least.
     pub fn creepages(&self, speed: f64) -> Creepages {
-        let reference = reference_speed(speed);
+        let per_speed = 1.0 / reference_speed(speed);
         Creepages {
-            longitudinal: self.longitudinal / reference,
-            lateral: self.lateral / reference,
-            spin: self.spin / reference,
+            longitudinal: self.longitudinal * per_speed,
+            lateral: self.lateral * per_speed,
+            spin: self.spin * per_speed,
         }
     }
 }

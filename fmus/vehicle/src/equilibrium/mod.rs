@@ -34,10 +34,11 @@ const SETTLING_TIME: f64 = 1.0;
 /// Most searches at one speed.
 const ROUNDS: usize = 4;
 
-/// Largest acceleration left over with which the vehicle counts as in equilibrium. Tables of geometry
-/// and creep have kinks between their nodes; where the equilibrium lies on one, Newton's method comes
-/// no nearer than a few 1e-6.
-const REACHED: f64 = 1e-5;
+/// Largest acceleration left over with which the vehicle counts as in equilibrium: of a wheelset's
+/// rotation, the lightest, it is a tenth of a newton at the rims. Tables of geometry and creep have
+/// kinks between their nodes; where the equilibrium lies on one, Newton's method comes no nearer than
+/// a few 1e-5 rad/s² of a wheel that is driven hard.
+const REACHED: f64 = 1e-4;
 
 /// Largest acceleration left over with which a search has all but succeeded: settling would only lead
 /// away from there.

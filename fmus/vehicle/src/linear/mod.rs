@@ -20,20 +20,9 @@ pub use modes::{Mode, Modes};
 pub use rolling::{CriticalSpeed, Rolling};
 pub use system::{Surfaces, System};
 
-use nalgebra::{DMatrix, SymmetricEigen, Vector3};
+use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::body::Seen;
 use crate::structure::Structure;
-use crate::suspension::ends::Ends;
-
-/// Stretch of an element to first order in displacements and rotations.
-pub(crate) fn stretch(ends: &Ends, seen: &[Seen]) -> Vector3<f64> {
-    let moved = |end: usize| {
-        let body = &seen[ends.bodies[end]];
-        body.displacement + body.rotation.cross(&ends.arms[end])
-    };
-    moved(1) - moved(0)
-}
 
 /// Stiffness of a contact under 109.5 kN (reference locomotive), N/m; it grows with the cube root of
 /// the load.

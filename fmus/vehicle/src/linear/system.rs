@@ -5,7 +5,8 @@ use nalgebra::{DMatrix, DVector, Matrix3x6, Vector3};
 
 use crate::body::RigidBody;
 use crate::structure::Structure;
-use crate::suspension::ends::Ends;
+use crate::suspension::Suspension;
+use crate::suspension::pair::Point;
 
 /// Coordinates of a body: x, y, z, roll, pitch, yaw.
 pub(super) const COORDINATES: usize = 6;
@@ -39,6 +40,26 @@ pub(super) struct Series {
     pub row: DVector<f64>,
     pub damping: f64,
     pub stiffness: f64,
+}
+
+/// The two bodies that an element joins, and the arms from their centres of mass to its ends.
+struct Ends {
+    bodies: [usize; 2],
+    arms: [Vector3<f64>; 2],
+}
+
+impl Ends {
+    /// Both ends at one point.
+    fn new(suspension: &Suspension, at: &Point) -> Self {
+        let pair = &suspension.pairs[at.pair];
+        Self { bodies: pair.bodies, arms: [at.arm, at.arm + pair.offset] }
+    }
+
+    /// The second end by `line` from the first one.
+    fn apart(mut self, line: &Vector3<f64>) -> Self {
+        self.arms[1] += line;
+        self
+    }
 }
 
 /// Derivative of a point's displacement by its body's displacement and rotation.
@@ -104,36 +125,46 @@ impl System {
     fn add_springs(&mut self, structure: &Structure) {
         let suspension = &structure.suspension;
         for spring in &suspension.springs {
-            self.add(&spring.ends, &spring.stiffness, &spring.damping);
+            self.add(&Ends::new(suspension, &spring.at), &spring.stiffness, &spring.damping);
         }
         for spring in &suspension.rotational_springs {
-            self.add_rotation(&spring.bodies, &spring.stiffness, &spring.damping);
+            self.add_rotation(
+                &suspension.pairs[spring.pair].bodies,
+                &spring.stiffness,
+                &spring.damping,
+            );
         }
         for rod in &suspension.rods {
-            let row = self.row(&rod.ends, &rod.line.normalize());
+            let row =
+                self.row(&Ends::new(suspension, &rod.at).apart(&rod.line), &rod.line.normalize());
             self.stiffness += rod.stiffness * &row * row.transpose();
             self.damping += rod.damping * &row * row.transpose();
         }
         for plate in &suspension.centre_plates {
-            self.add(&plate.ends, &plate.stiffness, &plate.damping);
+            self.add(&Ends::new(suspension, &plate.at), &plate.stiffness, &plate.damping);
             // Four springs on the rim: a quarter of the stiffness each, two at R from either axis.
             let square = 0.5 * plate.radius * plate.radius;
             let tilting = |constant: f64| Vector3::new(square * constant, square * constant, 0.0);
             let (stiffness, damping) = (tilting(plate.stiffness.z), tilting(plate.damping.z));
-            self.add_rotation(&plate.ends.bodies, &stiffness, &damping);
+            self.add_rotation(&suspension.pairs[plate.at.pair].bodies, &stiffness, &damping);
         }
     }
 
     fn add_dampers(&mut self, structure: &Structure) {
-        for damper in &structure.suspension.dampers {
+        let suspension = &structure.suspension;
+        for damper in &suspension.dampers {
             let axis = Vector3::ith(damper.axis, 1.0);
             match damper.series_stiffness.is_finite() {
                 true => self.series.push(Series {
-                    row: self.row(&damper.ends, &axis),
+                    row: self.row(&Ends::new(suspension, &damper.at), &axis),
                     damping: damper.damping,
                     stiffness: damper.series_stiffness,
                 }),
-                false => self.add(&damper.ends, &Vector3::zeros(), &(damper.damping * axis)),
+                false => self.add(
+                    &Ends::new(suspension, &damper.at),
+                    &Vector3::zeros(),
+                    &(damper.damping * axis),
+                ),
             }
         }
     }
@@ -144,13 +175,21 @@ impl System {
         for spring in &suspension.tabulated_springs {
             let axis = Vector3::ith(spring.axis, 1.0);
             let stiffness = spring.static_stiffness() * axis;
-            self.add(&spring.ends, &stiffness, &(spring.damping * axis));
+            self.add(&Ends::new(suspension, &spring.at), &stiffness, &(spring.damping * axis));
         }
         for wedge in &suspension.wedges {
-            self.add(&wedge.ends, &Vector3::new(0.0, 0.0, wedge.spring_stiffness), &zero);
+            self.add(
+                &Ends::new(suspension, &wedge.at),
+                &Vector3::new(0.0, 0.0, wedge.spring_stiffness),
+                &zero,
+            );
         }
         for bearer in &suspension.side_bearers {
-            self.add(&bearer.ends, &Vector3::new(0.0, 0.0, bearer.stiffness), &zero);
+            self.add(
+                &Ends::new(suspension, &bearer.at),
+                &Vector3::new(0.0, 0.0, bearer.stiffness),
+                &zero,
+            );
         }
     }
 
@@ -159,19 +198,19 @@ impl System {
         let (suspension, zero) = (&structure.suspension, Vector3::zeros());
         for friction in &suspension.frictions {
             let stiffness = friction.grip.stiffness * Vector3::ith(friction.axis, 1.0);
-            self.add(&friction.ends, &stiffness, &zero);
+            self.add(&Ends::new(suspension, &friction.at), &stiffness, &zero);
         }
         for wedge in &suspension.wedges {
             let k = wedge.grip.stiffness;
-            self.add(&wedge.ends, &Vector3::new(0.0, k, k), &zero);
+            self.add(&Ends::new(suspension, &wedge.at), &Vector3::new(0.0, k, k), &zero);
         }
         for plate in &suspension.centre_plates {
             let stiffness = Vector3::new(0.0, 0.0, plate.grip.stiffness);
-            self.add_rotation(&plate.ends.bodies, &stiffness, &zero);
+            self.add_rotation(&suspension.pairs[plate.at.pair].bodies, &stiffness, &zero);
         }
         for bearer in &suspension.side_bearers {
             let k = bearer.grip.stiffness;
-            self.add(&bearer.ends, &Vector3::new(k, k, 0.0), &zero);
+            self.add(&Ends::new(suspension, &bearer.at), &Vector3::new(k, k, 0.0), &zero);
         }
     }
 

@@ -4,15 +4,15 @@
 //! |---|---|
 //! | `inputs.rs` | forces from outside, and the friction of the rails |
 //! | `wheelset.rs` | a wheelset and its wheels |
-//! | `patch.rs` | a contact patch |
+//! | `contact.rs` | a contact, or all of a wheel together |
 //! | `track_forces.rs` | Y, Q and what is formed from them |
 //! | `body.rs` | attitudes of the bodies, accelerations of the first one |
 //! | `energy.rs` | the energy account |
 
 mod body;
+mod contact;
 mod energy;
 mod inputs;
-mod patch;
 mod track_forces;
 mod wheelset;
 

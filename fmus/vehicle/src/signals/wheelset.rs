@@ -2,7 +2,7 @@
 
 use fmu::{Declaration, Real, Values, unit};
 
-use super::patch::PatchSignals;
+use super::contact::ContactSignals;
 use super::track_forces::TrackForceSignals;
 use crate::body::BodyState;
 use crate::wheel::PATCHES;
@@ -23,16 +23,9 @@ pub(super) struct WheelsetSignals {
 /// Handles of a wheel.
 #[derive(Debug)]
 struct WheelSignals {
-    creepage: [Real; 3],
-    longitudinal: Real,
-    lateral: Real,
-    normal: Real,
-    friction_power: Real,
-    a: Real,
-    b: Real,
-    rail_lateral: Real,
+    total: ContactSignals,
     standing: Real,
-    patches: [PatchSignals; PATCHES],
+    patches: [ContactSignals; PATCHES],
 }
 
 impl WheelsetSignals {
@@ -89,72 +82,37 @@ impl WheelsetSignals {
 
 impl WheelSignals {
     fn declare(d: &mut Declaration, wheelset: &str, side: &str) -> Self {
-        let mut output = |name: &str, unit, description: &str| {
-            d.real(
-                format!("{wheelset}.{side}.{name}"),
-                unit,
-                format!("{description}, {side} wheel"),
-            )
-            .output()
-        };
+        let name = format!("{wheelset}.{side}");
         Self {
-            creepage: [
-                output(
-                    "creepage.longitudinal",
+            total: ContactSignals::declare(d, &name, &format!("{side} wheel")),
+            standing: d
+                .real(
+                    format!("{name}.contact.state"),
                     unit::ONE,
-                    "Longitudinal creepage, traction positive",
-                ),
-                output(
-                    "creepage.lateral",
-                    unit::ONE,
-                    "Lateral creepage, wheel slipping right positive",
-                ),
-                output("creepage.spin", unit::PER_METRE, "Spin creepage, positive about z down"),
-            ],
-            longitudinal: output(
-                "force.longitudinal",
-                unit::NEWTON,
-                "Creep force on the wheel along the track, traction positive",
-            ),
-            lateral: output(
-                "force.lateral",
-                unit::NEWTON,
-                "Creep force on the wheel in the contact plane, positive to the right",
-            ),
-            normal: output("force.normal", unit::NEWTON, "Normal force"),
-            friction_power: output("friction_power", unit::WATT, "Power turned into heat by creep"),
-            a: output("contact.a", unit::METRE, "Semi-axis of the contact in rolling direction"),
-            b: output("contact.b", unit::METRE, "Semi-axis of the contact across"),
-            rail_lateral: output(
-                "contact.lateral_position",
-                unit::METRE,
-                "Contact on the rail head from its top, negative towards the gauge side",
-            ),
-            standing: output(
-                "contact.state",
-                unit::ONE,
-                "0: on its rail, 1: lifted off it, 2: climbed over it or fallen off it",
-            ),
+                    format!(
+                        "0: on its rail, 1: lifted off it, 2: climbed over it or fallen off it, \
+                         {side} wheel"
+                    ),
+                )
+                .output(),
             patches: std::array::from_fn(|i| {
-                PatchSignals::declare(d, &format!("{wheelset}.{side}"), i + 1)
+                let whose = match i {
+                    0 => "of the contacts the one nearest to the tread".into(),
+                    _ => format!("of the contacts number {} towards the flange", i + 1),
+                };
+                ContactSignals::declare(d, &format!("{name}.patch[{}]", i + 1), &whose)
             }),
         }
     }
 
     fn write(&self, wheel: &WheelOutput, values: &mut Values) {
-        values[self.creepage[0]] = wheel.creepages.longitudinal;
-        values[self.creepage[1]] = wheel.creepages.lateral;
-        values[self.creepage[2]] = wheel.creepages.spin;
-        values[self.longitudinal] = wheel.longitudinal;
-        values[self.lateral] = wheel.lateral;
-        values[self.normal] = wheel.normal;
-        values[self.friction_power] = wheel.friction_power;
-        values[self.a] = wheel.a;
-        values[self.b] = wheel.b;
-        values[self.rail_lateral] = wheel.rail_lateral;
+        self.total.write(&wheel.total, values);
         values[self.standing] = f64::from(wheel.standing as u8);
         for (handles, patch) in self.patches.iter().zip(&wheel.patches) {
-            handles.write(patch, values);
+            // One that was not there and still is not costs nothing.
+            if patch.normal != 0.0 || handles.shows_one(values) {
+                handles.write(patch, values);
+            }
         }
     }
 }

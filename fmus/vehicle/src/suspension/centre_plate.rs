@@ -8,9 +8,8 @@
 use nalgebra::Vector3;
 
 use super::ElementEnergy;
-use super::ends::Ends;
 use super::grip::Grip;
-use crate::body::{Seen, Wrench};
+use super::pair::{Between, Point};
 
 /// Points on the rim, for a radius of one.
 const RIM: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
@@ -18,8 +17,8 @@ const RIM: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
 /// A centre plate.
 #[derive(Clone, Debug)]
 pub struct CentrePlate {
-    /// Body, bolster, and the plate's middle.
-    pub ends: Ends,
+    /// The plate's middle, where it joins body and bolster.
+    pub at: Point,
     /// Radius R, m.
     pub radius: f64,
     /// Stiffness in x, y, z, N/m.
@@ -47,16 +46,13 @@ impl CentrePlate {
     #[inline]
     pub fn apply(
         &self,
-        seen: &[Seen],
+        between: &mut Between,
         moment: &mut [f64; 2],
         step: f64,
-        wrenches: &mut [Wrench],
         energy: &mut ElementEnergy,
     ) {
-        let stretch = self.ends.stretch(seen);
-        let [first, second] = self.ends.bodies.map(|body| &seen[body]);
-        let turned = second.rotation - first.rotation;
-        let turning = second.angular_velocity - first.angular_velocity;
+        let stretch = between.stretch(&self.at.arm);
+        let (turned, turning) = (between.turned, between.turning);
 
         let mut force = Vector3::zeros();
         for axis in [0, 1] {
@@ -87,19 +83,20 @@ impl CentrePlate {
         self.grip.hold(moment, trial, limit, step, energy);
         tilting.z += moment[0];
 
-        self.ends.apply(&stretch, &force, wrenches);
-        wrenches[self.ends.bodies[1]].moment += tilting;
-        wrenches[self.ends.bodies[0]].moment -= tilting;
+        between.push(&stretch, &force);
+        between.moment += tilting;
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::body::Seen;
+    use crate::suspension::pair::Pair;
 
     fn plate() -> CentrePlate {
         CentrePlate {
-            ends: Ends { bodies: [0, 1], arms: [Vector3::zeros(); 2] },
+            at: Point::TEST,
             radius: 0.19,
             stiffness: Vector3::new(175e6, 175e6, 875e6),
             damping: Vector3::zeros(),
@@ -112,12 +109,11 @@ mod tests {
 
     /// Moment on the body after it turned by `rotation`.
     fn moment(rotation: Vector3<f64>) -> Vector3<f64> {
-        let mut wrenches = [Wrench::default(); 2];
         let angular_velocity = Vector3::new(0.0, 0.0, rotation.z / 1e-3);
         let body = Seen { rotation, angular_velocity, ..Seen::default() };
-        let seen = [body, Seen::default()];
-        plate().apply(&seen, &mut [0.0; 2], 1e-3, &mut wrenches, &mut ElementEnergy::default());
-        wrenches[0].moment
+        let mut between = Pair::TEST.between(&[body, Seen::default()]);
+        plate().apply(&mut between, &mut [0.0; 2], 1e-3, &mut ElementEnergy::default());
+        -between.moment
     }
 
     /// Small roll: stiffness k R²/2. A plate that tilts about its rim carries at most the load on

@@ -6,9 +6,9 @@ use stock::{Direction, Multibody};
 use super::Suspension;
 use super::centre_plate::CentrePlate;
 use super::damper::Damper;
-use super::ends::Ends;
 use super::friction::Friction;
 use super::grip::Grip;
+use super::pair::{Pair, Point};
 use super::rod::Rod;
 use super::rotational::RotationalSpring;
 use super::side_bearer::SideBearer;
@@ -22,19 +22,20 @@ impl Suspension {
     /// The elements between these bodies, whose names the stock library has checked. Static loads
     /// are not known yet.
     pub(crate) fn new(multibody: &Multibody, bodies: &[RigidBody]) -> Self {
-        let ends = |between: &[String; 2], points| all_ends(bodies, between, points);
         let mut all = Self::default();
         for spring in &multibody.spring {
-            all.springs.extend(ends(&spring.between, &spring.points_m).map(|ends| Spring {
-                ends,
+            let points = all.points(bodies, &spring.between, &spring.points_m);
+            all.springs.extend(points.into_iter().map(|at| Spring {
+                at,
                 stiffness: spring.stiffness_n_m.into(),
                 damping: spring.damping_n_s_m.into(),
                 preload: Vector3::zeros(),
             }));
         }
         for damper in &multibody.damper {
-            all.dampers.extend(ends(&damper.between, &damper.points_m).map(|ends| Damper {
-                ends,
+            let points = all.points(bodies, &damper.between, &damper.points_m);
+            all.dampers.extend(points.into_iter().map(|at| Damper {
+                at,
                 axis: axis(damper.direction),
                 damping: damper.damping_n_s_m,
                 series_stiffness: damper.series_stiffness_n_m.unwrap_or(f64::INFINITY),
@@ -42,8 +43,9 @@ impl Suspension {
             }));
         }
         for stop in &multibody.stop {
-            all.stops.extend(ends(&stop.between, &stop.points_m).map(|ends| Stop {
-                ends,
+            let points = all.points(bodies, &stop.between, &stop.points_m);
+            all.stops.extend(points.into_iter().map(|at| Stop {
+                at,
                 axis: axis(stop.direction),
                 free_play: stop.free_play_mm * 1e-3,
                 stiffness: stop.stiffness_n_m,
@@ -51,38 +53,52 @@ impl Suspension {
         }
         for spring in &multibody.tabulated_spring {
             let table = spring.displacement_mm.iter().zip(&spring.force_n);
-            let points: Vec<[f64; 2]> = table.map(|(mm, force)| [mm * 1e-3, *force]).collect();
+            let table: Vec<[f64; 2]> = table.map(|(mm, force)| [mm * 1e-3, *force]).collect();
             let axis = axis(spring.direction);
-            let springs = ends(&spring.between, &spring.points_m)
-                .map(|ends| TabulatedSpring::new(ends, axis, points.clone(), spring.damping_n_s_m));
-            all.tabulated_springs.extend(springs);
+            let points = all.points(bodies, &spring.between, &spring.points_m);
+            let spring = |at| TabulatedSpring::new(at, axis, table.clone(), spring.damping_n_s_m);
+            all.tabulated_springs.extend(points.into_iter().map(spring));
         }
         for spring in &multibody.rotational_spring {
+            let pair = all.pair(bodies, &spring.between);
             all.rotational_springs.push(RotationalSpring {
-                bodies: spring.between.each_ref().map(|name| index(bodies, name)),
+                pair,
                 stiffness: spring.stiffness_n_m_rad.into(),
                 damping: spring.damping_n_m_s_rad.into(),
                 preload: Vector3::zeros(),
             });
         }
         for rod in &multibody.rod {
-            all.rods.push(self::rod(rod, bodies));
+            let [a, b] = rod.ends_m;
+            let line = Vector3::new(b[0] - a[0], b[1] - a[1], a[2] - b[2]);
+            let points = all.points(bodies, &rod.between, &[a]);
+            all.rods.extend(points.into_iter().map(|at| Rod {
+                at,
+                line,
+                stiffness: rod.stiffness_n_m,
+                damping: rod.damping_n_s_m,
+                preload: 0.0,
+            }));
         }
         all.add_friction(multibody, bodies);
         all
     }
 
     fn add_friction(&mut self, multibody: &Multibody, bodies: &[RigidBody]) {
-        let ends = |between: &[String; 2], points| all_ends(bodies, between, points);
         for friction in &multibody.friction {
             let grip = Grip { stiffness: friction.stick_stiffness_n_m };
-            self.frictions.extend(ends(&friction.between, &friction.points_m).map(|ends| {
-                Friction { ends, axis: axis(friction.direction), limit: friction.force_n, grip }
+            let points = self.points(bodies, &friction.between, &friction.points_m);
+            self.frictions.extend(points.into_iter().map(|at| Friction {
+                at,
+                axis: axis(friction.direction),
+                limit: friction.force_n,
+                grip,
             }));
         }
         for wedge in &multibody.wedge {
-            self.wedges.extend(ends(&wedge.between, &wedge.points_m).map(|ends| Wedge {
-                ends,
+            let points = self.points(bodies, &wedge.between, &wedge.points_m);
+            self.wedges.extend(points.into_iter().map(|at| Wedge {
+                at,
                 slope: wedge.angle_deg.to_radians().tan(),
                 friction: wedge.friction,
                 spring_force: wedge.spring_force_n,
@@ -91,60 +107,54 @@ impl Suspension {
             }));
         }
         for plate in &multibody.centre_plate {
-            self.centre_plates.extend(
-                ends(&plate.between, std::slice::from_ref(&plate.point_m)).map(|ends| {
-                    CentrePlate {
-                        ends,
-                        radius: plate.radius_m,
-                        stiffness: plate.stiffness_n_m.into(),
-                        damping: plate.damping_n_s_m.into(),
-                        friction: plate.friction,
-                        grip: Grip { stiffness: plate.stick_stiffness_n_m_rad },
-                        preload: [0.0; 2],
-                        rim_preload: [0.0; 4],
-                    }
-                }),
-            );
+            let points = self.points(bodies, &plate.between, &[plate.point_m]);
+            self.centre_plates.extend(points.into_iter().map(|at| CentrePlate {
+                at,
+                radius: plate.radius_m,
+                stiffness: plate.stiffness_n_m.into(),
+                damping: plate.damping_n_s_m.into(),
+                friction: plate.friction,
+                grip: Grip { stiffness: plate.stick_stiffness_n_m_rad },
+                preload: [0.0; 2],
+                rim_preload: [0.0; 4],
+            }));
         }
         for bearer in &multibody.side_bearer {
-            self.side_bearers.extend(ends(&bearer.between, &bearer.points_m).map(|ends| {
-                SideBearer {
-                    ends,
-                    preload: bearer.preload_n,
-                    stiffness: bearer.stiffness_n_m,
-                    solid_gap: bearer.solid_gap_mm * 1e-3,
-                    solid_stiffness: bearer.solid_stiffness_n_m,
-                    friction: bearer.friction,
-                    grip: Grip { stiffness: bearer.stick_stiffness_n_m },
-                }
+            let points = self.points(bodies, &bearer.between, &bearer.points_m);
+            self.side_bearers.extend(points.into_iter().map(|at| SideBearer {
+                at,
+                preload: bearer.preload_n,
+                stiffness: bearer.stiffness_n_m,
+                solid_gap: bearer.solid_gap_mm * 1e-3,
+                solid_stiffness: bearer.solid_stiffness_n_m,
+                friction: bearer.friction,
+                grip: Grip { stiffness: bearer.stick_stiffness_n_m },
             }));
         }
     }
-}
 
-fn rod(rod: &stock::Rod, bodies: &[RigidBody]) -> Rod {
-    let indices = rod.between.each_ref().map(|name| index(bodies, name));
-    let arm = |end: usize| arm(&bodies[indices[end]], &rod.ends_m[end]);
-    let [a, b] = rod.ends_m;
-    Rod {
-        ends: Ends { bodies: indices, arms: [arm(0), arm(1)] },
-        line: Vector3::new(b[0] - a[0], b[1] - a[1], a[2] - b[2]),
-        stiffness: rod.stiffness_n_m,
-        damping: rod.damping_n_s_m,
-        preload: 0.0,
+    /// Points between two bodies, from places in the vehicle file.
+    fn points(
+        &mut self,
+        bodies: &[RigidBody],
+        between: &[String; 2],
+        places: &[[f64; 3]],
+    ) -> Vec<Point> {
+        let pair = self.pair(bodies, between);
+        let first = &bodies[index(bodies, &between[0])];
+        places.iter().map(|place| Point { pair, arm: arm(first, place) }).collect()
     }
-}
 
-/// The ends of elements between two bodies, one for each point.
-fn all_ends<'a>(
-    bodies: &'a [RigidBody],
-    between: &[String; 2],
-    points: &'a [[f64; 3]],
-) -> impl Iterator<Item = Ends> + use<'a> {
-    let indices = between.each_ref().map(|name| index(bodies, name));
-    points
-        .iter()
-        .map(move |point| Ends { bodies: indices, arms: indices.map(|i| arm(&bodies[i], point)) })
+    /// Index of the pair of these two bodies.
+    fn pair(&mut self, bodies: &[RigidBody], between: &[String; 2]) -> usize {
+        let indices = between.each_ref().map(|name| index(bodies, name));
+        let known = self.pairs.iter().position(|pair| pair.bodies == indices);
+        known.unwrap_or_else(|| {
+            let [first, second] = indices.map(|i| arm(&bodies[i], &[0.0; 3]));
+            self.pairs.push(Pair { bodies: indices, offset: second - first });
+            self.pairs.len() - 1
+        })
+    }
 }
 
 /// Arm from a body's centre of mass to a point x, y, height.

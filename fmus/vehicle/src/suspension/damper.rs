@@ -5,15 +5,14 @@
 //! the rate v is constant: F -> -c v + (F + c v) exp(-k h/c).
 
 use super::ElementEnergy;
-use super::ends::Ends;
-use crate::body::{Seen, Wrench};
+use super::pair::{Between, Point};
 use nalgebra::Vector3;
 
 /// A damper that acts in one direction.
 #[derive(Clone, Debug)]
 pub struct Damper {
-    /// Bodies and points.
-    pub ends: Ends,
+    /// Where it joins two bodies.
+    pub at: Point,
     /// Direction: 0 is x, 1 is y, 2 is z.
     pub axis: usize,
     /// Damping c, N s/m.
@@ -34,20 +33,19 @@ impl Damper {
     #[inline]
     pub fn apply(
         &self,
-        seen: &[Seen],
+        between: &mut Between,
         force: &mut f64,
         decay: f64,
-        wrenches: &mut [Wrench],
         energy: &mut ElementEnergy,
     ) {
-        let stretch = self.ends.stretch(seen);
+        let stretch = between.stretch(&self.at.arm);
         let rate = stretch.rate[self.axis];
         let steady = -self.damping * rate;
         let before = *force;
         *force = (steady + (before - steady) * decay).clamp(-self.blow_off, self.blow_off);
         let mut along = Vector3::zeros();
         along[self.axis] = *force;
-        self.ends.apply(&stretch, &along, wrenches);
+        between.push(&stretch, &along);
         energy.stored += 0.5 * *force * *force / self.series_stiffness;
         energy.dissipated += self.dissipated(*force, rate);
     }
@@ -64,15 +62,11 @@ impl Damper {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::body::Seen;
+    use crate::suspension::pair::Pair;
 
     fn damper(series_stiffness: f64) -> Damper {
-        Damper {
-            ends: Ends { bodies: [0, 1], arms: [Vector3::zeros(); 2] },
-            axis: 0,
-            damping: 400e3,
-            series_stiffness,
-            blow_off: 12e3,
-        }
+        Damper { at: Point::TEST, axis: 0, damping: 400e3, series_stiffness, blow_off: 12e3 }
     }
 
     /// Force after `steps` of 1 ms at a constant rate.
@@ -80,10 +74,9 @@ mod tests {
         let moving = Seen { velocity: Vector3::new(rate, 0.0, 0.0), ..Seen::default() };
         let mut force = 0.0;
         for _ in 0..steps {
-            let mut wrenches = [Wrench::default(); 2];
+            let between = &mut Pair::TEST.between(&[Seen::default(), moving]);
             let energy = &mut ElementEnergy::default();
-            let seen = [Seen::default(), moving];
-            damper.apply(&seen, &mut force, damper.decay(1e-3), &mut wrenches, energy);
+            damper.apply(between, &mut force, damper.decay(1e-3), energy);
         }
         force
     }

@@ -3,15 +3,14 @@
 use nalgebra::Vector3;
 
 use super::ElementEnergy;
-use super::ends::Ends;
 use super::grip::Grip;
-use crate::body::{Seen, Wrench};
+use super::pair::{Between, Point};
 
 /// Friction between two bodies.
 #[derive(Clone, Debug)]
 pub struct Friction {
-    /// Bodies and points.
-    pub ends: Ends,
+    /// Where it joins two bodies.
+    pub at: Point,
     /// Direction: 0 is x, 1 is y, 2 is z.
     pub axis: usize,
     /// Friction force while sliding, N.
@@ -25,17 +24,16 @@ impl Friction {
     #[inline]
     pub fn apply(
         &self,
-        seen: &[Seen],
+        between: &mut Between,
         force: &mut [f64; 2],
         step: f64,
-        wrenches: &mut [Wrench],
         energy: &mut ElementEnergy,
     ) {
-        let stretch = self.ends.stretch(seen);
+        let stretch = between.stretch(&self.at.arm);
         let trial = self.grip.trial(force, [stretch.rate[self.axis], 0.0], step);
         self.grip.hold(force, trial, self.limit, step, energy);
         let mut along = Vector3::zeros();
         along[self.axis] = force[0];
-        self.ends.apply(&stretch, &along, wrenches);
+        between.push(&stretch, &along);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! | file | element |
 //! |---|---|
-//! | `ends.rs` | what all have in common: two bodies, two points, stretch and rate |
+//! | `pair.rs` | what all have in common: two bodies, a point, stretch and rate |
 //! | `spring.rs` | spring with parallel damping and static load |
 //! | `damper.rs` | hydraulic damper, rigid or with stiffness in series, with blow-off |
 //! | `stop.rs` | stop with free play |
@@ -19,9 +19,9 @@
 pub mod centre_plate;
 pub(crate) mod compile;
 pub mod damper;
-pub mod ends;
 pub mod friction;
 pub mod grip;
+pub mod pair;
 pub mod rod;
 pub mod rotational;
 pub mod side_bearer;
@@ -36,6 +36,7 @@ use crate::body::{Seen, Wrench};
 use centre_plate::CentrePlate;
 use damper::Damper;
 use friction::Friction;
+use pair::{Between, Pair};
 use rod::Rod;
 use rotational::RotationalSpring;
 use side_bearer::SideBearer;
@@ -47,6 +48,8 @@ use wedge::Wedge;
 /// All elements of a vehicle, by kind.
 #[derive(Clone, Debug, Default)]
 pub struct Suspension {
+    /// Bodies that elements join.
+    pub pairs: Vec<Pair>,
     /// Springs.
     pub springs: Vec<Spring>,
     /// Dampers.
@@ -98,49 +101,60 @@ impl Suspension {
         ElementState { dampers: vec![0.0; self.dampers.len()], friction: vec![[0.0; 2]; friction] }
     }
 
-    /// Adds the forces of all elements to `wrenches` and brings their memory to the end of the
-    /// step; `decay` holds for it and the dampers with stiffness in series.
+    /// How the bodies of each pair move against each other.
+    pub fn between<'a>(&'a self, seen: &'a [Seen]) -> impl Iterator<Item = Between> + use<'a> {
+        self.pairs.iter().map(|pair| pair.between(seen))
+    }
+
+    /// Adds the forces of all elements to what passes `between` the pairs, and brings their memory to
+    /// the end of the step; `decay` holds for it and the dampers with stiffness in series.
     pub fn apply(
         &self,
-        seen: &[Seen],
+        between: &mut [Between],
         state: &mut ElementState,
         decay: &[f64],
         step: f64,
-        wrenches: &mut [Wrench],
     ) -> ElementEnergy {
         let mut energy = ElementEnergy::default();
         for spring in &self.springs {
-            spring.apply(seen, wrenches, &mut energy);
+            spring.apply(&mut between[spring.at.pair], &mut energy);
         }
         let dampers = state.dampers.iter_mut().zip(decay);
         for (damper, (force, &decay)) in self.dampers.iter().zip(dampers) {
-            damper.apply(seen, force, decay, wrenches, &mut energy);
+            damper.apply(&mut between[damper.at.pair], force, decay, &mut energy);
         }
         for stop in &self.stops {
-            stop.apply(seen, wrenches, &mut energy);
+            stop.apply(&mut between[stop.at.pair], &mut energy);
         }
         for spring in &self.tabulated_springs {
-            spring.apply(seen, wrenches, &mut energy);
+            spring.apply(&mut between[spring.at.pair], &mut energy);
         }
         for spring in &self.rotational_springs {
-            spring.apply(seen, wrenches, &mut energy);
+            spring.apply(&mut between[spring.pair], &mut energy);
         }
         for rod in &self.rods {
-            rod.apply(seen, wrenches, &mut energy);
+            rod.apply(&mut between[rod.at.pair], &mut energy);
         }
         let mut memory = state.friction.iter_mut();
         for (friction, force) in self.frictions.iter().zip(&mut memory) {
-            friction.apply(seen, force, step, wrenches, &mut energy);
+            friction.apply(&mut between[friction.at.pair], force, step, &mut energy);
         }
         for (wedge, force) in self.wedges.iter().zip(&mut memory) {
-            wedge.apply(seen, force, step, wrenches, &mut energy);
+            wedge.apply(&mut between[wedge.at.pair], force, step, &mut energy);
         }
         for (plate, moment) in self.centre_plates.iter().zip(&mut memory) {
-            plate.apply(seen, moment, step, wrenches, &mut energy);
+            plate.apply(&mut between[plate.at.pair], moment, step, &mut energy);
         }
         for (bearer, force) in self.side_bearers.iter().zip(&mut memory) {
-            bearer.apply(seen, force, step, wrenches, &mut energy);
+            bearer.apply(&mut between[bearer.at.pair], force, step, &mut energy);
         }
         energy
+    }
+
+    /// Adds to all bodies what passes between them.
+    pub fn pass_on(&self, between: &[Between], wrenches: &mut [Wrench]) {
+        for (pair, between) in self.pairs.iter().zip(between) {
+            pair.pass_on(between, wrenches);
+        }
     }
 }

@@ -4,13 +4,13 @@
 use nalgebra::Vector3;
 
 use super::ElementEnergy;
-use crate::body::{Seen, Wrench};
+use super::pair::Between;
 
 /// A spring between the rotations of two bodies.
 #[derive(Clone, Debug)]
 pub struct RotationalSpring {
-    /// Indices of the bodies.
-    pub bodies: [usize; 2],
+    /// Index of the pair of bodies.
+    pub pair: usize,
     /// Stiffness K in roll, pitch, yaw, N m/rad.
     pub stiffness: Vector3<f64>,
     /// Damping C in roll, pitch, yaw, N m s/rad.
@@ -22,15 +22,11 @@ pub struct RotationalSpring {
 impl RotationalSpring {
     /// Adds the moments on both bodies.
     #[inline]
-    pub fn apply(&self, seen: &[Seen], wrenches: &mut [Wrench], energy: &mut ElementEnergy) {
-        let [first, second] = self.bodies.map(|body| &seen[body]);
-        let turned = second.rotation - first.rotation;
-        let rate = second.angular_velocity - first.angular_velocity;
+    pub fn apply(&self, between: &mut Between, energy: &mut ElementEnergy) {
+        let (turned, rate) = (between.turned, between.turning);
         let elastic = self.stiffness.component_mul(&turned);
         let viscous = self.damping.component_mul(&rate);
-        let moment = self.preload - elastic - viscous;
-        wrenches[self.bodies[1]].moment += moment;
-        wrenches[self.bodies[0]].moment -= moment;
+        between.moment += self.preload - elastic - viscous;
         energy.stored += turned.dot(&(0.5 * elastic - self.preload));
         energy.dissipated += rate.dot(&viscous);
     }

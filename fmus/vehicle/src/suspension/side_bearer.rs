@@ -6,15 +6,14 @@
 use nalgebra::Vector3;
 
 use super::ElementEnergy;
-use super::ends::Ends;
 use super::grip::Grip;
-use crate::body::{Seen, Wrench};
+use super::pair::{Between, Point};
 
 /// A side bearer.
 #[derive(Clone, Debug)]
 pub struct SideBearer {
-    /// Body, bolster, and the place.
-    pub ends: Ends,
+    /// Where it joins body and bolster.
+    pub at: Point,
     /// Force P at rest, N.
     pub preload: f64,
     /// Stiffness k, N/m.
@@ -34,13 +33,12 @@ impl SideBearer {
     #[inline]
     pub fn apply(
         &self,
-        seen: &[Seen],
+        between: &mut Between,
         force: &mut [f64; 2],
         step: f64,
-        wrenches: &mut [Wrench],
         energy: &mut ElementEnergy,
     ) {
-        let stretch = self.ends.stretch(seen);
+        let stretch = between.stretch(&self.at.arm);
         let compressed = (-stretch.length.z).max(-self.preload / self.stiffness);
         let solid = (compressed - self.solid_gap).max(0.0);
         let normal = self.preload + self.stiffness * compressed + self.solid_stiffness * solid;
@@ -49,20 +47,22 @@ impl SideBearer {
 
         let trial = self.grip.trial(force, [stretch.rate.x, stretch.rate.y], step);
         self.grip.hold(force, trial, self.friction * normal, step, energy);
-        self.ends.apply(&stretch, &Vector3::new(force[0], force[1], normal), wrenches);
+        between.push(&stretch, &Vector3::new(force[0], force[1], normal));
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::body::Seen;
+    use crate::suspension::pair::Pair;
 
     /// 27 kN and 1 MN/m, solid with 100 MN/m after 6 mm: forces on the bolster by hand at 4 mm and
     /// 7 mm, none after 30 mm of lift, and at most 0.3 N of friction.
     #[test]
     fn analytic_forces() {
         let bearer = SideBearer {
-            ends: Ends { bodies: [0, 1], arms: [Vector3::zeros(); 2] },
+            at: Point::TEST,
             preload: 27e3,
             stiffness: 1e6,
             solid_gap: 6e-3,
@@ -76,10 +76,9 @@ mod tests {
                 velocity: Vector3::new(1e3, 0.0, 0.0),
                 ..Seen::default()
             };
-            let mut wrenches = [Wrench::default(); 2];
-            let energy = &mut ElementEnergy::default();
-            bearer.apply(&[body, Seen::default()], &mut [0.0; 2], 1e-3, &mut wrenches, energy);
-            wrenches[1].force
+            let mut between = Pair::TEST.between(&[body, Seen::default()]);
+            bearer.apply(&mut between, &mut [0.0; 2], 1e-3, &mut ElementEnergy::default());
+            between.force
         };
         assert!((force(4e-3) - Vector3::new(9.3e3, 0.0, 31e3)).norm() < 1e-6);
         assert!((force(7e-3) - Vector3::new(40.2e3, 0.0, 134e3)).norm() < 1e-6);

@@ -3,14 +3,13 @@
 use nalgebra::Vector3;
 
 use super::ElementEnergy;
-use super::ends::Ends;
-use crate::body::{Seen, Wrench};
+use super::pair::{Between, Point};
 
 /// A spring without length between two bodies, with its own stiffness and damping in x, y, z.
 #[derive(Clone, Debug)]
 pub struct Spring {
-    /// Bodies and points.
-    pub ends: Ends,
+    /// Where it joins two bodies.
+    pub at: Point,
     /// Stiffness K, N/m.
     pub stiffness: Vector3<f64>,
     /// Damping C, N s/m.
@@ -22,11 +21,11 @@ pub struct Spring {
 impl Spring {
     /// Adds the forces on both bodies.
     #[inline]
-    pub fn apply(&self, seen: &[Seen], wrenches: &mut [Wrench], energy: &mut ElementEnergy) {
-        let stretch = self.ends.stretch(seen);
+    pub fn apply(&self, between: &mut Between, energy: &mut ElementEnergy) {
+        let stretch = between.stretch(&self.at.arm);
         let elastic = self.stiffness.component_mul(&stretch.length);
         let viscous = self.damping.component_mul(&stretch.rate);
-        self.ends.apply(&stretch, &(self.preload - elastic - viscous), wrenches);
+        between.push(&stretch, &(self.preload - elastic - viscous));
         energy.stored += stretch.length.dot(&(0.5 * elastic - self.preload));
         energy.dissipated += stretch.rate.dot(&viscous);
     }

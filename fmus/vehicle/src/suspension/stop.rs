@@ -3,14 +3,13 @@
 use nalgebra::Vector3;
 
 use super::ElementEnergy;
-use super::ends::Ends;
-use crate::body::{Seen, Wrench};
+use super::pair::{Between, Point};
 
 /// A stop that acts in one direction to both sides.
 #[derive(Clone, Debug)]
 pub struct Stop {
-    /// Bodies and points.
-    pub ends: Ends,
+    /// Where it joins two bodies.
+    pub at: Point,
     /// Direction: 0 is x, 1 is y, 2 is z.
     pub axis: usize,
     /// Free play g to each side, m.
@@ -22,8 +21,8 @@ pub struct Stop {
 impl Stop {
     /// Adds the forces on both bodies.
     #[inline]
-    pub fn apply(&self, seen: &[Seen], wrenches: &mut [Wrench], energy: &mut ElementEnergy) {
-        let stretch = self.ends.stretch(seen);
+    pub fn apply(&self, between: &mut Between, energy: &mut ElementEnergy) {
+        let stretch = between.stretch(&self.at.arm);
         let length = stretch.length[self.axis];
         let pressed = length - length.clamp(-self.free_play, self.free_play);
         if pressed == 0.0 {
@@ -31,7 +30,7 @@ impl Stop {
         }
         let mut force = Vector3::zeros();
         force[self.axis] = -self.stiffness * pressed;
-        self.ends.apply(&stretch, &force, wrenches);
+        between.push(&stretch, &force);
         energy.stored += 0.5 * self.stiffness * pressed * pressed;
     }
 }
@@ -39,23 +38,19 @@ impl Stop {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::body::Seen;
+    use crate::suspension::pair::Pair;
 
     /// 31 mm against a play of 30 mm and 6 MN/m: 6 kN back; nothing within the play.
     #[test]
     fn analytic_force_beyond_the_free_play() {
-        let stop = Stop {
-            ends: Ends { bodies: [0, 1], arms: [Vector3::zeros(); 2] },
-            axis: 1,
-            free_play: 0.030,
-            stiffness: 6e6,
-        };
+        let stop = Stop { at: Point::TEST, axis: 1, free_play: 0.030, stiffness: 6e6 };
         let force = |lateral: f64| {
-            let mut wrenches = [Wrench::default(); 2];
             let displaced =
                 Seen { displacement: Vector3::new(0.0, lateral, 0.0), ..Seen::default() };
-            let energy = &mut ElementEnergy::default();
-            stop.apply(&[Seen::default(), displaced], &mut wrenches, energy);
-            wrenches[1].force.y
+            let mut between = Pair::TEST.between(&[Seen::default(), displaced]);
+            stop.apply(&mut between, &mut ElementEnergy::default());
+            between.force.y
         };
         assert!((force(0.031) + 6e3).abs() < 1e-6);
         assert!((force(-0.031) - 6e3).abs() < 1e-6);

@@ -4,14 +4,13 @@
 use nalgebra::Vector3;
 
 use super::ElementEnergy;
-use super::ends::Ends;
-use crate::body::{Seen, Wrench};
+use super::pair::{Between, Point};
 
 /// A spring that acts in one direction.
 #[derive(Clone, Debug)]
 pub struct TabulatedSpring {
-    /// Bodies and points.
-    pub ends: Ends,
+    /// Where it joins two bodies.
+    pub at: Point,
     /// Direction: 0 is x, 1 is y, 2 is z.
     pub axis: usize,
     /// Points u, f, rising, m and N.
@@ -27,7 +26,7 @@ pub struct TabulatedSpring {
 impl TabulatedSpring {
     /// A spring through the points (u, f), at least two, u rising. If they begin at zero, they
     /// are mirrored.
-    pub fn new(ends: Ends, axis: usize, mut points: Vec<[f64; 2]>, damping: f64) -> Self {
+    pub fn new(at: Point, axis: usize, mut points: Vec<[f64; 2]>, damping: f64) -> Self {
         if points[0][0] == 0.0 {
             let mirrored = points[1..].iter().rev().map(|[u, f]| [-u, -f]);
             points = mirrored.chain(points.iter().copied()).collect();
@@ -37,7 +36,7 @@ impl TabulatedSpring {
             let [[u, f], [v, g]] = [pair[0], pair[1]];
             energies.push(energies[energies.len() - 1] + 0.5 * (f + g) * (v - u));
         }
-        let mut spring = Self { ends, axis, points, energies, zero: 0.0, damping };
+        let mut spring = Self { at, axis, points, energies, zero: 0.0, damping };
         spring.zero = spring.force_and_energy(0.0).1;
         spring
     }
@@ -70,13 +69,13 @@ impl TabulatedSpring {
 
     /// Adds the forces on both bodies.
     #[inline]
-    pub fn apply(&self, seen: &[Seen], wrenches: &mut [Wrench], energy: &mut ElementEnergy) {
-        let stretch = self.ends.stretch(seen);
+    pub fn apply(&self, between: &mut Between, energy: &mut ElementEnergy) {
+        let stretch = between.stretch(&self.at.arm);
         let (elastic, stored) = self.force_and_energy(stretch.length[self.axis]);
         let viscous = self.damping * stretch.rate[self.axis];
         let mut force = Vector3::zeros();
         force[self.axis] = -elastic - viscous;
-        self.ends.apply(&stretch, &force, wrenches);
+        between.push(&stretch, &force);
         energy.stored += stored;
         energy.dissipated += viscous * stretch.rate[self.axis];
     }
@@ -90,8 +89,7 @@ mod tests {
     #[test]
     fn analytic_a_table_is_mirrored_and_goes_on() {
         let points = vec![[0.0, 0.0], [0.025, 0.0], [0.030, 600.0], [0.035, 1760.0]];
-        let ends = Ends { bodies: [0, 1], arms: [Vector3::zeros(); 2] };
-        let spring = TabulatedSpring::new(ends, 1, points, 0.0);
+        let spring = TabulatedSpring::new(Point::TEST, 1, points, 0.0);
         let force = |u: f64| spring.force_and_energy(u).0;
         assert_eq!(force(0.020), 0.0);
         assert!((force(0.0275) - 300.0).abs() < 1e-9);

@@ -14,15 +14,14 @@
 use nalgebra::Vector3;
 
 use super::ElementEnergy;
-use super::ends::Ends;
 use super::grip::{Grip, magnitude};
-use crate::body::{Seen, Wrench};
+use super::pair::{Between, Point};
 
 /// A wedge.
 #[derive(Clone, Debug)]
 pub struct Wedge {
-    /// Bolster, side frame, and points.
-    pub ends: Ends,
+    /// Where it joins bolster and side frame.
+    pub at: Point,
     /// tan β.
     pub slope: f64,
     /// Friction coefficient μ on the column.
@@ -41,13 +40,12 @@ impl Wedge {
     #[inline]
     pub fn apply(
         &self,
-        seen: &[Seen],
+        between: &mut Between,
         force: &mut [f64; 2],
         step: f64,
-        wrenches: &mut [Wrench],
         energy: &mut ElementEnergy,
     ) {
-        let stretch = self.ends.stretch(seen);
+        let stretch = between.stretch(&self.at.arm);
         let lift = stretch.length.z.min(self.spring_force / self.spring_stiffness);
         let spring = self.spring_force - self.spring_stiffness * lift;
         energy.stored += lift * (0.5 * self.spring_stiffness * lift - self.spring_force);
@@ -55,7 +53,7 @@ impl Wedge {
         let trial = self.grip.trial(force, [stretch.rate.y, stretch.rate.z], step);
         let limit = self.friction * self.normal_force(spring, &trial);
         self.grip.hold(force, trial, limit, step, energy);
-        self.ends.apply(&stretch, &Vector3::new(0.0, force[0], force[1] + spring), wrenches);
+        between.push(&stretch, &Vector3::new(0.0, force[0], force[1] + spring));
     }
 
     /// Force N on the column while the friction acts in the direction of `trial`.
@@ -69,11 +67,13 @@ impl Wedge {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::body::Seen;
+    use crate::suspension::pair::Pair;
 
     /// Force on the side frame after the bolster went a long way down or up again.
     fn vertical(speed: f64) -> f64 {
         let wedge = Wedge {
-            ends: Ends { bodies: [0, 1], arms: [Vector3::zeros(); 2] },
+            at: Point::TEST,
             slope: 36.3_f64.to_radians().tan(),
             friction: 0.3,
             spring_force: 20e3,
@@ -82,13 +82,12 @@ mod tests {
         };
         let bolster = Seen { velocity: Vector3::new(0.0, 0.0, speed), ..Seen::default() };
         let mut force = [0.0; 2];
-        let mut wrenches = [Wrench::default(); 2];
+        let mut between = Between::default();
         for _ in 0..1000 {
-            wrenches = [Wrench::default(); 2];
-            let seen = [bolster, Seen::default()];
-            wedge.apply(&seen, &mut force, 1e-3, &mut wrenches, &mut ElementEnergy::default());
+            between = Pair::TEST.between(&[bolster, Seen::default()]);
+            wedge.apply(&mut between, &mut force, 1e-3, &mut ElementEnergy::default());
         }
-        wrenches[1].force.z
+        between.force.z
     }
 
     /// Equilibrium of a wedge of 36.3 degrees under 20 kN, friction 0.3: by hand,

@@ -1,6 +1,5 @@
 //! The acceptance scenarios: the locomotive over their track files, judged as rail practice does.
-//! The limits are those of shared/reference/vehicle.md 6.2, recalled from EN 14363, GM/RT2141 and
-//! AAR M-1001 and not read in them.
+//! Where the limits come from: `docs/validation/vehicle.md`.
 
 use std::path::{Path, PathBuf};
 

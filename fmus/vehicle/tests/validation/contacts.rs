@@ -20,9 +20,9 @@ fn property_tread_and_flange_share_the_load() {
         run(&mut vehicle, 9.0, &inputs);
         for wheel in vehicle.wheels.iter().flatten() {
             let normal: f64 = wheel.patches.iter().map(|patch| patch.normal).sum();
-            assert_close(normal, wheel.normal, 1e-12);
+            assert_close(normal, wheel.total.normal, 1e-12);
             let power: f64 = wheel.patches.iter().map(|patch| patch.friction_power).sum();
-            assert!((power - wheel.friction_power).abs() <= 1e-12 * power.abs());
+            assert!((power - wheel.total.friction_power).abs() <= 1e-12 * power.abs());
             let loaded = wheel.patches.iter().filter(|patch| patch.normal > 1e3);
             let creepages = loaded.map(|patch| patch.creepages.longitudinal);
             let creepages: Vec<f64> = creepages.collect();
@@ -30,7 +30,7 @@ fn property_tread_and_flange_share_the_load() {
                 shared += 1;
                 let least = creepages.iter().copied().fold(f64::INFINITY, f64::min);
                 let most = creepages.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                let mean = wheel.creepages.longitudinal;
+                let mean = wheel.total.creepages.longitudinal;
                 assert!(least < mean && mean < most, "{mean} is not between {creepages:?}");
             }
         }
@@ -52,7 +52,10 @@ fn property_a_wheel_off_its_rail_is_told_and_the_step_goes_on() {
         assert!(vehicle.wheels[0].iter().any(|wheel| wheel.standing == expected));
         run(&mut vehicle, 0.5, &inputs);
         for wheel in vehicle.wheels.iter().flatten() {
-            assert!((wheel.normal + wheel.friction_power + wheel.rail_lateral).is_finite());
+            assert!(
+                (wheel.total.normal + wheel.total.friction_power + wheel.total.rail_lateral)
+                    .is_finite()
+            );
         }
     }
 }

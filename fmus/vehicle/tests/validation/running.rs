@@ -11,7 +11,7 @@ fn analytic_creep_forces_carry_the_traction() {
     let inputs = Inputs { traction: 200e3, rear_coupler: 200e3, ..Inputs::none(FRICTION) };
     let mut vehicle = started(locomotive(), "", 16.67, &inputs);
     run(&mut vehicle, 5.0, &inputs);
-    let sum: f64 = vehicle.wheels.iter().flatten().map(|wheel| wheel.longitudinal).sum();
+    let sum: f64 = vehicle.wheels.iter().flatten().map(|wheel| wheel.total.longitudinal).sum();
     assert_close(sum, 200e3, 1e-2);
 }
 
@@ -28,7 +28,7 @@ fn analytic_guiding_forces_balance_the_centrifugal_force() {
         .zip(&vehicle.structure.wheelsets)
         .flat_map(|(wheels, data)| {
             let yaw = vehicle.state.bodies[data.body].rotation.z;
-            wheels.iter().map(move |wheel| wheel.guiding + yaw * wheel.longitudinal)
+            wheels.iter().map(move |wheel| wheel.guiding + yaw * wheel.total.longitudinal)
         })
         .sum();
     assert_close(lateral, 134e3 * vehicle.velocity().powi(2) / 800.0, 1e-3);
@@ -56,7 +56,7 @@ fn analytic_wheel_loads_balance_the_overturning_moment() {
     let (mut held, mut possible) = (0.0, 0.0);
     for (wheels, data) in vehicle.wheels.iter().zip(&structure.wheelsets) {
         for (wheel, sign) in wheels.iter().zip([-1.0, 1.0]) {
-            let head = sign * (half_rail_distance(data) + wheel.rail_lateral);
+            let head = sign * (half_rail_distance(data) + wheel.total.rail_lateral);
             held -= wheel.vertical * (head + inside(data.body));
             possible += wheel.vertical * data.wheel.half_distance;
         }

@@ -65,6 +65,49 @@ fn property_step_convergence_on_elastic_rails() {
     }
 }
 
+/// Every vehicle in the tightest curves at 3, 5 and 10 m/s, where flanges press, with the steps that its
+/// FMU takes in 1 ms against a quarter of them: wheel loads within 0.5 % of the static ones, root mean
+/// square over 3 s. A wheelset that rings on its flange is off by a quarter of its load and more.
+/// Left out is what chatters with any step (known errors): Manchester vehicle 1 below 5 m/s.
+#[test]
+fn property_steps_of_1_ms_do_not_ring_in_tight_curves() {
+    for name in VEHICLES {
+        let structure = from_stock(name);
+        for (radius, speed) in
+            [150.0, 200.0, 300.0].into_iter().flat_map(|r| [3.0, 5.0, 10.0].map(|v| (r, v)))
+        {
+            if name == "manchester-vehicle-1" && speed < 5.0 {
+                continue;
+            }
+            let case = format!("{name}, R {radius} m, {speed} m/s");
+            let curve = format!("alignment = [{{ length_m = 1e6, radius_m = {radius} }}]");
+            let inputs = Inputs::none(FRICTION);
+            let vehicle = started(structure.clone(), &curve, speed, &inputs);
+            let steps = (1e-3 / vehicle.longest_step()).ceil() as usize;
+            let mut vehicles = [(vehicle.clone(), steps), (vehicle.clone(), 4 * steps)];
+            let static_loads = vertical_loads(&vehicle);
+            let (mut squares, count) = (0.0, 3000);
+            for _ in 0..count {
+                for (vehicle, steps) in &mut vehicles {
+                    for _ in 0..*steps {
+                        vehicle.step(1e-3 / *steps as f64, &inputs);
+                    }
+                }
+                let [coarse, fine] =
+                    vehicles.each_ref().map(|(vehicle, _)| vertical_loads(vehicle));
+                let pairs = coarse.iter().flatten().zip(fine.iter().flatten());
+                let loads = static_loads.iter().flatten();
+                for ((coarse, fine), load) in pairs.zip(loads) {
+                    squares += ((coarse - fine) / load).powi(2);
+                }
+            }
+            let rms = (squares / f64::from(count) / (2 * static_loads.len()) as f64).sqrt();
+
+            assert!(rms < 5e-3, "{case}: wheel loads differ by {rms} of the static ones");
+        }
+    }
+}
+
 /// From 0.1 to 40 m/s, on straight track and through a curve, all wheels stay on the rails.
 #[test]
 fn property_runs_at_any_speed() {
@@ -81,7 +124,7 @@ fn property_runs_at_any_speed() {
             );
             for wheel in vehicle.wheels.iter().flatten() {
                 assert!(
-                    wheel.normal > 50e3 && wheel.standing == Standing::OnRail,
+                    wheel.total.normal > 50e3 && wheel.standing == Standing::OnRail,
                     "{speed} m/s: {wheel:?}"
                 );
             }
