@@ -52,7 +52,7 @@ fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 #[test]
 fn two_columns_of_one_name_are_refused() {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["time", "vehicle", "force_highest"] {
+    for name in ["time", "vehicle", "force_max"] {
         let columns = [columns(), vec![Column::new(name, "1", "Another")]].concat();
         let table = SeriesWriter::create(folder.path(), "vehicles", vehicle_keys(3), columns, 10);
         let message = table.err().expect("the names clash").to_string();
