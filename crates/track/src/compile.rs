@@ -47,14 +47,18 @@ impl TrackFile {
                 0 => TrackPoint::default(),
                 _ => pieces[i - 1].at(begin - begins[i - 1]),
             };
+            let functions = [&curvature, &cant, &gradient];
+            let [curvature, cant_angle, gradient] = functions.map(|f| f.expansion(begin, &mut 0));
+            let uniform = [curvature, cant_angle, gradient].iter().all(|c| c[1..] == [0.0; 3]);
             pieces.push(Piece {
                 heading: before.heading,
                 heading_integral: before.heading_integral,
                 elevation: before.elevation,
                 elevation_integral: before.elevation_integral,
-                curvature: curvature.expansion(begin, &mut 0),
-                cant_angle: cant.expansion(begin, &mut 0),
-                gradient: gradient.expansion(begin, &mut 0),
+                curvature,
+                cant_angle,
+                gradient,
+                uniform,
             });
         }
         let before = pieces[0].as_at_its_beginning();

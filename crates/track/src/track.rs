@@ -39,6 +39,8 @@ pub(crate) struct Piece {
     pub curvature: [f64; 4],
     pub cant_angle: [f64; 4],
     pub gradient: [f64; 4],
+    /// All three are constant, as on most of a track, which then costs no polynomial.
+    pub uniform: bool,
 }
 
 /// A place on the track, for those who need little of what holds there.
@@ -138,6 +140,7 @@ impl Piece {
             curvature: constant(self.curvature),
             cant_angle: constant(self.cant_angle),
             gradient: constant(self.gradient),
+            uniform: true,
             ..*self
         }
     }
@@ -145,9 +148,11 @@ impl Piece {
     /// What holds `s` after the beginning of the piece: the integrals of cubic functions.
     #[inline]
     pub(crate) fn at(&self, s: f64) -> TrackPoint {
-        let curvature = Cubic::at(&self.curvature, s);
-        let cant_angle = Cubic::at(&self.cant_angle, s);
-        let gradient = Cubic::at(&self.gradient, s);
+        let cubics = [&self.curvature, &self.cant_angle, &self.gradient];
+        let [curvature, cant_angle, gradient] = match self.uniform {
+            true => cubics.map(|cubic| Cubic::constant(cubic, s)),
+            false => cubics.map(|cubic| Cubic::at(cubic, s)),
+        };
         TrackPoint {
             curvature: curvature.value,
             curvature_slope: curvature.slope,
@@ -174,14 +179,16 @@ struct Cubic {
 }
 
 impl Cubic {
-    /// The cubic with the coefficients `c` at `s`. Most of a track is straight, level or of one radius,
-    /// and costs no polynomial.
+    /// The cubic with the coefficients `c` at `s`, of which only the first is not zero.
+    #[inline]
+    fn constant(c: &[f64; 4], s: f64) -> Self {
+        let integral = s * c[0];
+        Self { value: c[0], slope: 0.0, integral, double_integral: 0.5 * s * integral }
+    }
+
+    /// The cubic with the coefficients `c` at `s`.
     #[inline]
     fn at(c: &[f64; 4], s: f64) -> Self {
-        if let [value, 0.0, 0.0, 0.0] = *c {
-            let integral = s * value;
-            return Self { value, slope: 0.0, integral, double_integral: 0.5 * s * integral };
-        }
         let (half, sixth, twelfth, twentieth) = (0.5, 1.0 / 6.0, 1.0 / 12.0, 1.0 / 20.0);
         let twice =
             half * c[0] + s * (sixth * c[1] + s * (twelfth * c[2] + s * (twentieth * c[3])));

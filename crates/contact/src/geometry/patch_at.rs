@@ -69,7 +69,7 @@ impl RowPlace {
     pub(super) fn new(shift: f64, begin: f64, count: usize) -> Self {
         let place = (shift - begin) * (1.0 / STEP);
         let inside = place.max(0.0).min((count - 1) as f64);
-        let index = (inside as usize).min(count.saturating_sub(2));
+        let index = (inside as u32 as usize).min(count.saturating_sub(2));
         Self { index, part: inside - index as f64, beyond: place != inside }
     }
 }
