@@ -28,8 +28,8 @@ const ROWS_TOWARDS: i32 = 600;
 /// they share the load as their approaches say.
 ///
 /// `drop` is a cubic through values and slopes, so that its derivative is continuous and equals the
-/// `slope` given; all else is linear between the rows. Yaw changes `drop` and `slope` by its square
-/// (`search.rs`).
+/// `slope` given, and so is the stiffness; all else is linear between the rows. `patch_at.rs` has what
+/// load, yaw and roll do.
 #[derive(Debug)]
 pub struct GeometryTable {
     pair: ProfilePair,
