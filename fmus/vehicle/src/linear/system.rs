@@ -125,7 +125,7 @@ impl System {
     fn add_springs(&mut self, structure: &Structure) {
         let suspension = &structure.suspension;
         for spring in &suspension.springs {
-            self.add(&Ends::new(suspension, &spring.at), &spring.stiffness, &spring.damping);
+            self.add(suspension, &spring.at, &spring.stiffness, &spring.damping);
         }
         for spring in &suspension.rotational_springs {
             self.add_rotation(
@@ -135,13 +135,13 @@ impl System {
             );
         }
         for rod in &suspension.rods {
-            let row =
-                self.row(&Ends::new(suspension, &rod.at).apart(&rod.line), &rod.line.normalize());
+            let ends = Ends::new(suspension, &rod.at).apart(&rod.line);
+            let row = self.row(&ends, &rod.line.normalize());
             self.stiffness += rod.stiffness * &row * row.transpose();
             self.damping += rod.damping * &row * row.transpose();
         }
         for plate in &suspension.centre_plates {
-            self.add(&Ends::new(suspension, &plate.at), &plate.stiffness, &plate.damping);
+            self.add(suspension, &plate.at, &plate.stiffness, &plate.damping);
             // Four springs on the rim: a quarter of the stiffness each, two at R from either axis.
             let square = 0.5 * plate.radius * plate.radius;
             let tilting = |constant: f64| Vector3::new(square * constant, square * constant, 0.0);
@@ -160,11 +160,9 @@ impl System {
                     damping: damper.damping,
                     stiffness: damper.series_stiffness,
                 }),
-                false => self.add(
-                    &Ends::new(suspension, &damper.at),
-                    &Vector3::zeros(),
-                    &(damper.damping * axis),
-                ),
+                false => {
+                    self.add(suspension, &damper.at, &Vector3::zeros(), &(damper.damping * axis))
+                }
             }
         }
     }
@@ -175,21 +173,13 @@ impl System {
         for spring in &suspension.tabulated_springs {
             let axis = Vector3::ith(spring.axis, 1.0);
             let stiffness = spring.static_stiffness() * axis;
-            self.add(&Ends::new(suspension, &spring.at), &stiffness, &(spring.damping * axis));
+            self.add(suspension, &spring.at, &stiffness, &(spring.damping * axis));
         }
         for wedge in &suspension.wedges {
-            self.add(
-                &Ends::new(suspension, &wedge.at),
-                &Vector3::new(0.0, 0.0, wedge.spring_stiffness),
-                &zero,
-            );
+            self.add(suspension, &wedge.at, &Vector3::new(0.0, 0.0, wedge.spring_stiffness), &zero);
         }
         for bearer in &suspension.side_bearers {
-            self.add(
-                &Ends::new(suspension, &bearer.at),
-                &Vector3::new(0.0, 0.0, bearer.stiffness),
-                &zero,
-            );
+            self.add(suspension, &bearer.at, &Vector3::new(0.0, 0.0, bearer.stiffness), &zero);
         }
     }
 
@@ -198,11 +188,11 @@ impl System {
         let (suspension, zero) = (&structure.suspension, Vector3::zeros());
         for friction in &suspension.frictions {
             let stiffness = friction.grip.stiffness * Vector3::ith(friction.axis, 1.0);
-            self.add(&Ends::new(suspension, &friction.at), &stiffness, &zero);
+            self.add(suspension, &friction.at, &stiffness, &zero);
         }
         for wedge in &suspension.wedges {
             let k = wedge.grip.stiffness;
-            self.add(&Ends::new(suspension, &wedge.at), &Vector3::new(0.0, k, k), &zero);
+            self.add(suspension, &wedge.at, &Vector3::new(0.0, k, k), &zero);
         }
         for plate in &suspension.centre_plates {
             let stiffness = Vector3::new(0.0, 0.0, plate.grip.stiffness);
@@ -210,12 +200,19 @@ impl System {
         }
         for bearer in &suspension.side_bearers {
             let k = bearer.grip.stiffness;
-            self.add(&Ends::new(suspension, &bearer.at), &Vector3::new(k, k, 0.0), &zero);
+            self.add(suspension, &bearer.at, &Vector3::new(k, k, 0.0), &zero);
         }
     }
 
     /// An element whose force in its three directions is the constants times its stretch and rate.
-    fn add(&mut self, ends: &Ends, stiffness: &Vector3<f64>, damping: &Vector3<f64>) {
+    fn add(
+        &mut self,
+        suspension: &Suspension,
+        at: &Point,
+        stiffness: &Vector3<f64>,
+        damping: &Vector3<f64>,
+    ) {
+        let ends = Ends::new(suspension, at);
         let jacobians = ends.arms.each_ref().map(jacobian);
         self.add_between(&ends.bodies, &jacobians, stiffness, damping);
     }
