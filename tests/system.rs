@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `architecture.rs` | who may depend on whom |
 //! | `command_line.rs` | answers to wrong input |
+//! | `documents.rs` | what README, licences and vocabulary say |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `field_lost.rs` | a temperature field that is lost in a run |
 //! | `fmu_check.rs` | `hotfoot check` |
@@ -25,6 +26,7 @@
 mod architecture;
 mod command_line;
 mod determinism;
+mod documents;
 mod field_lost;
 mod fmu_check;
 mod force_balance;
