@@ -1,28 +1,45 @@
 //! An instance of a model: the state machine of §4.2.4 in safe Rust.
 //!
+//! | file | part |
+//! |---|---|
+//! | `mod.rs` | the life of an instance, from being made to being terminated |
+//! | `stepping.rs` | the step, and what is checked before and after it |
+//! | `exchange.rs` | getting and setting values |
+//! | `rules.rs`, `refusal.rs` | which values are admitted when, and what is said of others |
+//! | `restore.rs`, `state.rs` | saving an instance, setting it back, serializing |
+//! | `interface.rs` | the declaration, checked and made ready |
+//! | `logging.rs` | messages on their way to the simulation tool |
+//!
 //! The C interface calls nothing else, so a test or a master that uses an [`Instance`] directly
 //! gets the same results, to the bit, as one that loads the FMU.
+
+mod exchange;
+pub(crate) mod interface;
+pub(crate) mod logging;
+mod refusal;
+mod restore;
+mod rules;
+pub(crate) mod state;
+mod stepping;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use interface::Interface;
+use logging::{Category, Logger, Sink};
+use state::{Experiment, Origin};
+
 use crate::calls::{Call, Phase};
 use crate::error::Error;
-use crate::guid::Guid;
-use crate::interface::Interface;
-use crate::logging::{Category, Logger, Sink};
 use crate::model::{Log, Model};
-use crate::state::{Experiment, Origin};
 use crate::status::Status;
-use crate::values::Values;
-use crate::variable::Declaration;
+use crate::variables::{Declaration, Guid, Values};
 
 /// An instance of a model.
 ///
-/// Its calls are those of FMI 2.0 co-simulation, with the same rules; those on variables are
-/// in `exchange.rs`, the step in `stepping.rs`, those on saved states in `restore.rs`. A call that returns
-/// an error whose [`status`](Error::status) is [`Status::Error`] takes the instance into
-/// [`Phase::Error`], as the standard says; a [`reset`](Self::reset) or a saved state leads out.
+/// Its calls are those of FMI 2.0 co-simulation, with the same rules. A call that returns an error
+/// whose [`status`](Error::status) is [`Status::Error`] takes the instance into [`Phase::Error`],
+/// as the standard says; a [`reset`](Self::reset) or a saved state leads out.
 pub struct Instance<M: Model> {
     pub(crate) interface: Interface<M>,
     pub(crate) logger: Logger,

@@ -1,10 +1,9 @@
 //! `modelDescription.xml` from a model's identity and declaration (§2.2, §4.3).
 
-mod elements;
-
+use std::borrow::Cow;
 use std::path::Path;
 
-use elements::{
+use super::elements::{
     BaseUnit, BooleanElement, CoSimulation, DefaultExperiment, IntegerElement, LogCategories,
     LogCategory, ModelStructure, ModelVariables, RealElement, Root, ScalarVariable, StringElement,
     TypeElement, UnitDefinitions, UnitElement, Unknown, Unknowns,
@@ -14,12 +13,10 @@ use serde_xml_rs::SerdeXml;
 use xml::EmitterConfig;
 
 use crate::error::Error;
-use crate::guid::Guid;
-use crate::interface::Interface;
-use crate::logging::categories;
+use crate::instance::interface::Interface;
+use crate::instance::logging::categories;
 use crate::model::{Identity, Model, ModelError};
-use crate::unit::Unit;
-use crate::variable::{Causality, Initial, Kind, Variability, Variable};
+use crate::variables::{Bounds, Causality, Guid, Initial, Kind, Unit, Variability, Variable};
 
 /// End of the experiment that a tool proposes to its user, s.
 const DEFAULT_STOP_TIME: f64 = 10.0;
@@ -140,23 +137,37 @@ fn scalar_variable(variable: &Variable) -> ScalarVariable<'_> {
     ScalarVariable {
         name: &variable.name,
         value_reference: variable.reference,
-        description: &variable.description,
+        description: description(variable),
         causality: variable.causality.name(),
         variability: variable.variability.name(),
         initial: variable.initial.map(Initial::name),
         kind: match &variable.kind {
-            &Kind::Real { unit, start, min, max } => TypeElement::Real(RealElement {
-                unit: unit.symbol,
-                min,
-                max,
-                start: has_start.then_some(start),
-            }),
-            &Kind::Integer { start, min, max } => {
+            &Kind::Real { unit, start, bounds: Bounds { min, max, .. } } => {
+                let start = has_start.then_some(start);
+                TypeElement::Real(RealElement { unit: unit.symbol, min, max, start })
+            }
+            &Kind::Integer { start, bounds: Bounds { min, max, .. } } => {
+                let start = has_start.then_some(start);
                 TypeElement::Integer(IntegerElement { min, max, start })
             }
-            &Kind::Boolean { start } => TypeElement::Boolean(BooleanElement { start }),
-            Kind::Text { start } => TypeElement::String(StringElement { start }),
+            &Kind::Boolean { start } => {
+                TypeElement::Boolean(BooleanElement { start: has_start.then_some(start) })
+            }
+            Kind::Text { start, .. } => {
+                TypeElement::String(StringElement { start: has_start.then_some(start) })
+            }
         },
+    }
+}
+
+/// The variable's description; it also states what the attributes `min` and `max` cannot.
+fn description(variable: &Variable) -> Cow<'_, str> {
+    match &variable.kind {
+        Kind::Real { bounds: Bounds { above: true, .. }, .. }
+        | Kind::Integer { bounds: Bounds { above: true, .. }, .. } => {
+            format!("{}; {}", variable.description, variable.kind.range()).into()
+        }
+        _ => (&variable.description).into(),
     }
 }
 
@@ -210,8 +221,8 @@ impl Initial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::unit;
-    use crate::variable::Declaration;
+    use crate::variables::Declaration;
+    use crate::variables::unit;
 
     const IDENTITY: Identity = Identity {
         name: "Model",

@@ -6,9 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::calls::Phase;
 use crate::error::Error;
-use crate::guid::Guid;
 use crate::model::Model;
-use crate::values::Values;
+use crate::variables::{Guid, Values};
 
 /// Start and stop time, as `fmi2SetupExperiment` gives them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -4,11 +4,37 @@ use std::ops::{Index, IndexMut};
 
 use serde::{Deserialize, Serialize};
 
-macro_rules! handles {
-    ($($(#[$doc:meta])* $handle:ident => $store:ident : $value:ty),* $(,)?) => {$(
+use super::bounds::Bounds;
+use super::unit::Unit;
+use super::variable::{Kind, Variability};
+
+/// A type of variables in FMI 2.0, by its type in Rust.
+pub trait Type: Clone + Default + Sized {
+    /// Handle of a variable of the type.
+    type Handle: Copy;
+    /// What belongs to a variable of the type besides its start value.
+    type Domain;
+    /// When an input or output of the type may change.
+    const VARIABILITY: Variability;
+
+    /// Type, start value and what else belongs to the type.
+    fn kind(start: Self, domain: Self::Domain) -> Kind;
+    /// The values of the variables of this type.
+    #[doc(hidden)]
+    fn store(values: &mut Values) -> &mut Vec<Self>;
+    #[doc(hidden)]
+    fn handle(reference: u32) -> Self::Handle;
+}
+
+macro_rules! types {
+    ($(
+        $(#[$doc:meta])*
+        $handle:ident => $store:ident: $type:ty, $variability:ident, $domain_type:ty,
+        |$start:ident, $domain:pat_param| $kind:expr;
+    )*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub struct $handle(pub(crate) u32);
+        pub struct $handle(u32);
 
         impl $handle {
             /// The variable's value reference.
@@ -17,22 +43,55 @@ macro_rules! handles {
             }
         }
 
+        impl Type for $type {
+            type Handle = $handle;
+            type Domain = $domain_type;
+            const VARIABILITY: Variability = Variability::$variability;
+
+            fn kind($start: Self, $domain: $domain_type) -> Kind {
+                $kind
+            }
+
+            fn store(values: &mut Values) -> &mut Vec<Self> {
+                &mut values.$store
+            }
+
+            fn handle(reference: u32) -> $handle {
+                $handle(reference)
+            }
+        }
+
         impl Index<$handle> for Values {
-            type Output = $value;
-            fn index(&self, handle: $handle) -> &$value {
+            type Output = $type;
+            fn index(&self, handle: $handle) -> &$type {
                 &self.$store[handle.0 as usize]
             }
         }
 
         impl IndexMut<$handle> for Values {
-            fn index_mut(&mut self, handle: $handle) -> &mut $value {
+            fn index_mut(&mut self, handle: $handle) -> &mut $type {
                 &mut self.$store[handle.0 as usize]
             }
         }
     )*};
 }
 
-/// Every variable's value; a value reference is the place in the array of its type.
+types! {
+    /// Handle of a Real variable.
+    Real => reals: f64, Continuous, (Unit, Bounds<f64>),
+    |start, (unit, bounds)| Kind::Real { unit, start, bounds };
+    /// Handle of an Integer variable.
+    Integer => integers: i32, Discrete, Bounds<i32>,
+    |start, bounds| Kind::Integer { start, bounds };
+    /// Handle of a Boolean variable.
+    Boolean => booleans: bool, Discrete, (),
+    |start, ()| Kind::Boolean { start };
+    /// Handle of a String variable.
+    Text => texts: String, Discrete, &'static [&'static str],
+    |start, choices| Kind::Text { start, choices };
+}
+
+/// Every variable's value; a value reference is the index in the array of its type.
 ///
 /// Getters and setters of the C interface copy from and to these arrays; a model reads and
 /// writes them by the handles its declaration gave: `values[signals.position] = x`.
@@ -105,17 +164,6 @@ impl<const N: usize> IndexMut<Reals<N>> for Values {
         let reals = self.reals[handle.first as usize..].first_chunk_mut();
         reals.expect("all of them have a value")
     }
-}
-
-handles! {
-    /// Handle of a Real variable.
-    Real => reals: f64,
-    /// Handle of an Integer variable.
-    Integer => integers: i32,
-    /// Handle of a Boolean variable.
-    Boolean => booleans: bool,
-    /// Handle of a String variable.
-    Text => texts: String,
 }
 
 #[cfg(test)]

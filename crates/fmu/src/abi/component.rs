@@ -1,31 +1,4 @@
-//! The C interface: functions over a model type, to which [`export!`](crate::export) gives their
-//! C names.
-//!
-//! They turn pointers into Rust values and results into statuses; what a call does is in
-//! [`Instance`]. No panic leaves them.
-//!
-//! # Safety
-//! All functions ask of their caller what the standard asks of a simulation tool:
-//! - a component is one that `instantiate` of the same model gave and that was not freed, and no
-//!   other call uses it at the same time;
-//! - an FMU state is one that the same FMU gave and that was not freed;
-//! - a pointer that is not null points to as many readable or writable elements as the argument
-//!   for their number says, and a text ends with a NUL.
-//!
-//! Null pointers are refused with a message, unless the standard gives them a meaning.
-#![allow(unsafe_code, reason = "C passes pointers; this module turns them into safe values")]
-#![allow(
-    clippy::missing_safety_doc,
-    reason = "all functions have the contract stated for the module"
-)]
-
-mod callback;
-mod describe;
-mod exchange;
-mod life_cycle;
-mod pointers;
-mod state;
-mod status;
+//! What the functions of the C interface act on, and how each of their calls is made.
 
 use std::any::Any;
 use std::ffi::{CString, c_void};
@@ -37,22 +10,15 @@ use crate::instance::Instance;
 use crate::model::Model;
 use crate::status::Status;
 
-pub use callback::CallbackFunctions;
-pub use describe::*;
-pub use exchange::*;
-pub use life_cycle::*;
-pub use state::*;
-pub use status::*;
-
 /// What an `fmi2Component` points to.
-struct Component<M: Model> {
-    instance: Instance<M>,
+pub(super) struct Component<M: Model> {
+    pub(super) instance: Instance<M>,
     /// The texts that `fmi2GetString` gave last; they live until it is called again.
-    texts: Vec<CString>,
+    pub(super) texts: Vec<CString>,
 }
 
 /// Does a call on a component, and turns its result, or a panic, into a status and a message.
-unsafe fn call<M: Model>(
+pub(super) unsafe fn call<M: Model>(
     component: *mut c_void,
     call: Call,
     body: impl FnOnce(&mut Component<M>) -> Result<(), Error>,
@@ -78,7 +44,7 @@ unsafe fn call<M: Model>(
 }
 
 /// The text of a panic.
-fn panic_message(panic: &(dyn Any + Send)) -> String {
+pub(super) fn panic_message(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().map(ToString::to_string);
     text.or_else(|| panic.downcast_ref::<String>().cloned())
         .unwrap_or_else(|| "no message".to_owned())

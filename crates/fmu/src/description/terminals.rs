@@ -5,22 +5,11 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use crate::description::to_xml;
+use super::model_description::to_xml;
 use crate::error::Error;
-use crate::interface::Interface;
+use crate::instance::interface::Interface;
 use crate::model::Model;
-use crate::variable::{Causality, Declaration};
-
-/// Variables that are connected together: all whose names begin with `name` and a dot.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Terminal {
-    /// What the names of the variables begin with, such as `coupler.front`.
-    pub name: String,
-    /// What it is, so that only terminals that fit are connected, such as `coupler`.
-    pub kind: &'static str,
-    /// One sentence for the user.
-    pub description: String,
-}
+use crate::variables::{Causality, Declaration, Terminal};
 
 #[derive(Serialize)]
 #[serde(rename = "fmiTerminalsAndIcons")]
@@ -99,7 +88,7 @@ fn element<'a>(declaration: &'a Declaration, terminal: &'a Terminal) -> Element<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::unit;
+    use crate::variables::unit;
 
     #[test]
     fn a_terminal_has_the_variables_whose_names_begin_with_it() {

@@ -1,27 +1,11 @@
 //! Getting and setting the values of an instance's variables (§2.1.7).
 
+use super::refusal::{BOOLEAN, INTEGER, REAL, Refusal, STRING};
+use super::rules::Rule;
 use crate::calls::{Call, Phase};
 use crate::error::Error;
 use crate::instance::Instance;
-use crate::interface::Rule;
 use crate::model::Model;
-use crate::variable::Kind;
-
-/// Why a value cannot be set.
-enum Refusal {
-    /// There is no such variable.
-    Unknown(u32),
-    /// The variable cannot be set now.
-    NotSettable(u32),
-    /// The value is not allowed.
-    OutOfBounds(u32, String),
-}
-
-/// Names of the types in messages.
-const REAL: &str = "Real";
-const INTEGER: &str = "Integer";
-const BOOLEAN: &str = "Boolean";
-const STRING: &str = "String";
 
 macro_rules! getters {
     ($($(#[$doc:meta])* $name:ident, $call:ident, $store:ident, $kind:ident: $value:ty;)*) => {$(
@@ -93,8 +77,8 @@ impl<M: Model> Instance<M> {
     /// Sets the values of String variables.
     ///
     /// # Errors
-    /// When the phase forbids it, a value reference is unknown, or the variable cannot be set
-    /// now.
+    /// When the phase forbids it, a value reference is unknown, the variable cannot be set now, or
+    /// a text is none of its variable's choices.
     pub fn set_string<'v>(
         &mut self,
         references: &[u32],
@@ -104,18 +88,20 @@ impl<M: Model> Instance<M> {
             let values = check_lengths(references, values)?;
             let mut changed = false;
             for (&reference, value) in references.iter().zip(values) {
-                let place = reference as usize;
-                let refused = match instance.interface.rules.texts.get(place) {
+                let refused = match instance.interface.rules.texts.get(reference as usize) {
                     None => Some(Refusal::Unknown(reference)),
-                    Some(settable) if !settable.contains(instance.phase) => {
+                    Some(rule) if !rule.settable.contains(instance.phase) => {
                         Some(Refusal::NotSettable(reference))
+                    }
+                    Some(rule) if !rule.admits(value) => {
+                        Some(Refusal::NotAllowed(reference, format!("\"{value}\"")))
                     }
                     Some(_) => None,
                 };
                 if let Some(refusal) = refused {
                     return Err(instance.refused(STRING, refusal));
                 }
-                let stored = &mut instance.values.texts[place];
+                let stored = &mut instance.values.texts[reference as usize];
                 changed |= stored != value;
                 value.clone_into(stored);
             }
@@ -137,35 +123,6 @@ impl<M: Model> Instance<M> {
     fn note_start_values(&mut self, changed: bool) {
         if changed && matches!(self.phase, Phase::Instantiated | Phase::InitializationMode) {
             self.built = None;
-        }
-    }
-
-    /// Puts a refusal in words.
-    #[cold]
-    fn refused(&self, kind: &'static str, refusal: Refusal) -> Error {
-        let variables = self.declaration().variables();
-        let mut of_kind = variables.iter().filter(|variable| variable.kind.name() == kind);
-        let (Refusal::Unknown(reference)
-        | Refusal::NotSettable(reference)
-        | Refusal::OutOfBounds(reference, _)) = refusal;
-        let count = of_kind.clone().count();
-        let Some(variable) = of_kind.find(|variable| variable.reference == reference) else {
-            return Error::UnknownReference { kind, reference, count };
-        };
-        match refusal {
-            Refusal::OutOfBounds(_, value) => variable.out_of_bounds(value),
-            _ => variable.not_settable(self.phase),
-        }
-    }
-}
-
-impl Kind {
-    fn name(&self) -> &'static str {
-        match self {
-            Self::Real { .. } => REAL,
-            Self::Integer { .. } => INTEGER,
-            Self::Boolean { .. } => BOOLEAN,
-            Self::Text { .. } => STRING,
         }
     }
 }
@@ -201,15 +158,15 @@ fn write<T: PartialOrd + Copy + ToString>(
 ) -> Result<bool, Refusal> {
     let mut changed = false;
     for (&reference, value) in references.iter().zip(values) {
-        let place = reference as usize;
-        let (Some(rule), Some(stored)) = (rules.get(place), store.get_mut(place)) else {
+        let index = reference as usize;
+        let (Some(rule), Some(stored)) = (rules.get(index), store.get_mut(index)) else {
             return Err(Refusal::Unknown(reference));
         };
         if !rule.settable.contains(phase) {
             return Err(Refusal::NotSettable(reference));
         }
         if !rule.admits(&value) {
-            return Err(Refusal::OutOfBounds(reference, value.to_string()));
+            return Err(Refusal::NotAllowed(reference, value.to_string()));
         }
         changed |= *stored != value;
         *stored = value;

@@ -4,9 +4,9 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::error::Error;
-use crate::interface::Interface;
+use crate::instance::interface::Interface;
 use crate::model::{Identity, Model};
-use crate::variable::{Causality, Declaration, Kind, Variability, Variable};
+use crate::variables::{Causality, Declaration, Kind, Variability, Variable};
 
 const STYLE: &str = "body{font:16px/1.4 sans-serif;max-width:70em;margin:2em auto;padding:0 1em}\
 table{border-collapse:collapse}\
@@ -60,7 +60,7 @@ fn row(variable: &Variable) -> String {
         Kind::Real { unit, start, .. } => ("Real", unit.symbol, start.to_string()),
         Kind::Integer { start, .. } => ("Integer", "", start.to_string()),
         Kind::Boolean { start } => ("Boolean", "", start.to_string()),
-        Kind::Text { start } => ("String", "", format!("\"{start}\"")),
+        Kind::Text { start, .. } => ("String", "", format!("\"{start}\"")),
     };
     let start = match variable.causality {
         Causality::Output => String::new(),
@@ -90,7 +90,7 @@ fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::unit;
+    use crate::variables::unit;
 
     #[test]
     fn every_variable_has_a_row_under_its_heading() {

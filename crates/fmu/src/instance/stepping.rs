@@ -4,7 +4,7 @@ use crate::calls::{Call, Phase};
 use crate::error::Error;
 use crate::instance::{Built, Instance};
 use crate::model::{Interval, Model};
-use crate::variable::Kind;
+use crate::variables::Kind;
 
 /// By how much two times that should be equal may differ, relative to the greater of the time
 /// and the step. Masters compute `k·h` in several ways, which differ by some units of the last

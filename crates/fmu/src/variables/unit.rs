@@ -1,5 +1,7 @@
 //! Units of variables, as `UnitDefinitions` of a model description states them (§2.2.2).
 
+use std::fmt::Display;
+
 use serde::Serialize;
 
 /// A unit: its symbol and its exponents of the SI base units.
@@ -23,6 +25,16 @@ pub struct Unit {
     pub factor: f64,
     /// Offset to SI base units.
     pub offset: f64,
+}
+
+impl Unit {
+    /// A number, or words about one, with the unit after it; a ratio has none.
+    pub(crate) fn after(self, number: impl Display) -> String {
+        match self.symbol {
+            "1" => number.to_string(),
+            symbol => format!("{number} {symbol}"),
+        }
+    }
 }
 
 const fn si(symbol: &'static str, kg: i8, m: i8, s: i8, kelvin: i8, rad: i8) -> Unit {

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::variable::{Causality, Initial, Kind, Variability, Variable};
+use super::variable::{Causality, Initial, Kind, Variability, Variable};
 
 /// The first 128 bits of the SHA-256 of an interface.
 ///
@@ -56,9 +56,9 @@ impl fmt::Display for Guid {
 
 #[cfg(test)]
 mod tests {
+    use super::super::declaration::Declaration;
+    use super::super::unit;
     use super::*;
-    use crate::unit;
-    use crate::variable::Declaration;
 
     fn guid(name: &str, description: &str, start: f64) -> Guid {
         let mut declaration = Declaration::default();

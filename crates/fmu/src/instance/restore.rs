@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crate::calls::Call;
 use crate::error::Error;
+use crate::instance::state::{SavedModel, SavedState};
 use crate::instance::{Built, Instance};
 use crate::model::Model;
-use crate::state::{SavedModel, SavedState};
 
 impl<M: Model> Instance<M> {
     /// Saves the instance.
