@@ -35,11 +35,14 @@
 //!         /// Position
 //!         position: "position", METRE;
 //!     }
-//! }
 //!
-//! struct Signals {
-//!     motion: Handles<Motion>,
-//!     integrator: Handles<Integrator>,
+//!     /// All variables.
+//!     pub struct Signals {
+//!         /// What moves the vehicle.
+//!         motion: "", group(Motion);
+//!         /// Where it is.
+//!         integrator: "", group(Integrator);
+//!     }
 //! }
 //!
 //! impl Model for Integrator {
@@ -49,18 +52,18 @@
 //!         description: "Position from speed",
 //!         default_step: 0.1,
 //!     };
-//!     type Signals = Signals;
+//!     type Signals = Handles<Signals>;
 //!     type State = f64;
 //!
-//!     fn declare(_: &Path, declaration: &mut Declaration) -> Result<Signals, ModelError> {
-//!         Ok(Signals {
-//!             motion: Motion::declare(declaration, ""),
-//!             integrator: Integrator::declare(declaration, ""),
-//!         })
+//!     fn declare(
+//!         _resources: &Path,
+//!         declaration: &mut Declaration,
+//!     ) -> Result<Handles<Signals>, ModelError> {
+//!         Ok(Signals::declare(declaration, ""))
 //!     }
 //!
 //!     fn initialize(
-//!         signals: &Signals,
+//!         signals: &Handles<Signals>,
 //!         values: &mut Values,
 //!         _resources: &Path,
 //!         _start_time: f64,
@@ -73,7 +76,7 @@
 //!
 //!     fn step(
 //!         &mut self,
-//!         signals: &Signals,
+//!         signals: &Handles<Signals>,
 //!         values: &mut Values,
 //!         interval: Interval,
 //!         _log: &mut Log,
