@@ -7,8 +7,8 @@ use miette::{IntoDiagnostic, Result, miette};
 
 use super::{Severity, check, rules};
 use crate::fmi::Import;
-use crate::reference::{self, Verdict};
-use crate::roles::{self, Role};
+use crate::check::reference::{self, Verdict};
+use crate::train::roles::{self, Role};
 use crate::supervise;
 
 /// Arguments of `hotfoot check`.

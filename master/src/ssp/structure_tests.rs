@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::read::{STRUCTURE_FILE, read};
-use super::structure::{Parameter, Structure, Value};
+use crate::system::structure::{Parameter, Structure, Value};
 use super::write::write;
 
 const NAMESPACES: &str = r#"xmlns:ssd="http://ssp-standard.org/SSP1/SystemStructureDescription"
