@@ -7,13 +7,13 @@ use std::process::Command;
 use clap::Args;
 use miette::{IntoDiagnostic, Result, miette};
 
-use crate::fmi::pack::{self, Binary};
-use crate::run::{self, Options};
-use crate::scenario::Times;
-use crate::ssp::{self, SystemOptions};
 use crate::check::reference;
 use crate::files::archive;
+use crate::fmi::pack::{self, Binary};
+use crate::run::{self, Options};
 use crate::run::{expected, workplace};
+use crate::scenario::Times;
+use crate::ssp::{self, SystemOptions};
 use crate::{recording, report, scenario, supervise};
 
 /// Arguments of `hotfoot run`.

@@ -4,10 +4,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::files::archive::{self, ArchiveError};
 use crate::check::TERMINALS;
-use crate::fmi::documentation::{EQUATIONS, INDEX, Text, equations_page, with_link_to_equations};
+use crate::files::archive::{self, ArchiveError};
 use crate::files::file_error::FileError;
+use crate::fmi::documentation::{EQUATIONS, INDEX, Text, equations_page, with_link_to_equations};
 use crate::fmi::{self, ImportError, describe};
 
 /// Icon of the FMUs.

@@ -5,15 +5,15 @@ use std::path::Path;
 use miette::Diagnostic;
 
 use crate::files::file_error::FileError;
-use crate::run::observe::ObserveError;
-use crate::system::parallel::ThreadsError;
-use crate::train::prepare::PrepareError;
 use crate::report::ReportError;
+use crate::run::observe::ObserveError;
+use crate::run::stepping::{FailedStep, StepFailure};
 use crate::scenario::ScenarioError;
 use crate::ssp::SspError;
-use crate::train::start::StartError;
-use crate::run::stepping::{FailedStep, StepFailure};
+use crate::system::parallel::ThreadsError;
 use crate::system::unit::UnitError;
+use crate::train::prepare::PrepareError;
+use crate::train::start::StartError;
 
 /// Why a run of a scenario or of a system, or an export, failed.
 #[derive(Debug, thiserror::Error, Diagnostic)]

@@ -8,13 +8,13 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::files::file_error::FileError;
-use crate::train::lockstep::Lockstep;
-use crate::train::prepare_rail::{Extent, field_file};
 use crate::report::{MainFigure, RailFacts, RunFacts};
 use crate::scenario::{Heat, Scenario};
 use crate::system::times::StepTimes;
-use crate::train::traffic::Traffic;
 use crate::system::unit::Unit;
+use crate::train::lockstep::Lockstep;
+use crate::train::prepare_rail::{Extent, field_file};
+use crate::train::traffic::Traffic;
 
 /// What made the results of a run.
 #[derive(Debug, Serialize)]

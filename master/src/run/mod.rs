@@ -14,22 +14,22 @@ pub mod workplace;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use crate::report::{self, MainFigure};
 use crate::run::error::RunError;
 use crate::run::finished::{Done, Finished};
-use crate::train::foresee::wheels_outside;
-use crate::train::lockstep::Lockstep;
 use crate::run::manifest::Manifest;
 use crate::run::observe::Recorder;
+use crate::run::progress::Progress;
+use crate::run::stepping::Stepping;
+use crate::run::workplace::Workplace;
+use crate::scenario::{self, Scenario, Times};
+use crate::system::unit::{take_warnings, terminate};
+use crate::train::foresee::wheels_outside;
+use crate::train::lockstep::Lockstep;
 use crate::train::prepare::{Folders, prepare};
 use crate::train::prepare_rail::Extent;
-use crate::run::progress::Progress;
-use crate::report::{self, MainFigure};
-use crate::scenario::{self, Scenario, Times};
 use crate::train::start::{StartError, start_of};
-use crate::run::stepping::Stepping;
 use crate::train::traffic::Traffic;
-use crate::system::unit::{take_warnings, terminate};
-use crate::run::workplace::Workplace;
 
 /// How a scenario is run.
 #[derive(Debug, Clone, Default)]

@@ -3,18 +3,18 @@
 
 use std::path::Path;
 
-use crate::train::lockstep::{Lockstep, Vehicle};
-use crate::run::observe_outputs::{OutputRecorder, OutputsError};
-use crate::run::observe_rail::RailRecorder;
-use crate::system::port::{Port, Signal};
-use crate::train::rail::Rail;
 use crate::recording::{
     Column, RecordingError, SeriesWriter, Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys,
 };
 use crate::report::EnergyLine;
-use crate::train::roles::{SIDES, train, vehicle_input, vehicle_output};
+use crate::run::observe_outputs::{OutputRecorder, OutputsError};
+use crate::run::observe_rail::RailRecorder;
 use crate::scenario::Scenario;
+use crate::system::port::{Port, Signal};
 use crate::system::unit::{Unit, UnitError};
+use crate::train::lockstep::{Lockstep, Vehicle};
+use crate::train::rail::Rail;
+use crate::train::roles::{SIDES, train, vehicle_input, vehicle_output};
 
 /// Simulated time in a part of a series on disk, s; a killed run loses less than this.
 const PART_S: f64 = 1.0;

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use crate::interface::{Variable, VariableType};
-use crate::train::lockstep::Vehicle;
 use crate::interface::name_pattern::matches;
+use crate::interface::{Variable, VariableType};
+use crate::recording::{Column, SeriesWriter, vehicle_keys_of};
 use crate::run::observe::ObserveError;
 use crate::system::port::{Port, Signal};
-use crate::recording::{Column, SeriesWriter, vehicle_keys_of};
+use crate::train::lockstep::Vehicle;
 
 /// Why outputs cannot be recorded.
 #[derive(Debug, thiserror::Error)]

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use crate::recording::{Key, KeyValues, SeriesWriter};
 use crate::run::observe::{ObserveError, all_outputs};
 use crate::system::port::Port;
 use crate::train::rail::Rail;
-use crate::recording::{Key, KeyValues, SeriesWriter};
 
 /// Name of the table.
 pub const TABLE: &str = "rail";

@@ -1,13 +1,13 @@
 //! The steps of a run: those of the whole train, then those of the rails after it.
 
-use crate::train::lockstep::Lockstep;
 use crate::run::observe::{ObserveError, Recorder};
-use crate::system::parallel;
 use crate::run::progress::Progress;
-use crate::train::rail::Rail;
+use crate::system::parallel;
 use crate::system::times::Stopwatch;
-use crate::train::traffic::{Stage, Traffic};
 use crate::system::unit::UnitError;
+use crate::train::lockstep::Lockstep;
+use crate::train::rail::Rail;
+use crate::train::traffic::{Stage, Traffic};
 
 /// A step that failed.
 #[derive(Debug)]

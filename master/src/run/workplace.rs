@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use rayon::ThreadPool;
 
-use crate::run::error::RunError;
 use crate::files::file_error::FileError;
-use crate::system::parallel::{default_threads, pool};
+use crate::run::error::RunError;
 use crate::scenario;
+use crate::system::parallel::{default_threads, pool};
 
 /// Threads and the folder of the results.
 pub(crate) struct Workplace {

@@ -1,8 +1,8 @@
 //! What flows between the units of a train, as connections of a package.
 
+use crate::system::port::Port;
 use crate::system::structure::{Connection, Endpoint};
 use crate::train::lockstep::Lockstep;
-use crate::system::port::Port;
 use crate::train::rail::Rail;
 use crate::train::roles::{rail_input, train, vehicle_input, vehicle_output};
 

@@ -3,11 +3,11 @@
 
 use std::path::Path;
 
+use crate::interface::{Variable, VariableType};
+use crate::recording::{Column, SeriesWriter, TIME};
+use crate::run::observe::ObserveError;
 use crate::system::links::Signals;
 use crate::system::step::System;
-use crate::interface::{Variable, VariableType};
-use crate::run::observe::ObserveError;
-use crate::recording::{Column, SeriesWriter, TIME};
 use crate::system::unit::Unit;
 
 /// Recorded time in a part of a series on disk, s; a killed run loses less than this.

@@ -8,14 +8,14 @@ use std::sync::Arc;
 use percent_encoding::percent_decode_str;
 
 use super::error::SspError;
-use crate::system::links::{Link, Part, Place};
-use crate::system::structure::{Component, Connection, Parameter, Structure, Value};
-use crate::system::step::System;
 use crate::fmi::{FmuInstance, Import};
-use crate::interface::{Interface, Variable, VariableType};
-use crate::train::lockstep::Clock;
 use crate::interface::si::{Linear, SiUnit};
+use crate::interface::{Interface, Variable, VariableType};
+use crate::system::links::{Link, Part, Place};
+use crate::system::step::System;
+use crate::system::structure::{Component, Connection, Parameter, Structure, Value};
 use crate::system::unit::{Unit, UnitError};
+use crate::train::lockstep::Clock;
 
 /// Instantiates the FMUs of a structure, sets their parameters, and links them.
 ///

@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::interface::{Interface, Variable, VariableType};
 use crate::interface::si::{Dimension, Linear};
+use crate::interface::{Interface, Variable, VariableType};
 use crate::system::unit::{Unit, UnitError};
 
 /// A variable that a role wants.

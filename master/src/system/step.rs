@@ -2,11 +2,11 @@
 
 use super::links::{Link, Links, Part};
 use crate::interface::VariableType;
-use crate::train::lockstep::Clock;
 use crate::system::parallel;
-use crate::train::start::StartError;
 use crate::system::times::Stopwatch;
 use crate::system::unit::{Unit, UnitError};
+use crate::train::lockstep::Clock;
+use crate::train::start::StartError;
 
 /// Units and what flows between them.
 pub struct System {

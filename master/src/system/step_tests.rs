@@ -3,13 +3,13 @@
 use std::sync::{Arc, Mutex};
 
 use super::links::{Link, Part, Place};
-use crate::ssp::record::{Recorder, renamed};
 use super::step::System;
-use crate::train::lockstep::Clock;
-use crate::system::mock::Mock;
-use crate::recording::SeriesReader;
 use crate::interface::si::Linear;
+use crate::recording::SeriesReader;
+use crate::ssp::record::{Recorder, renamed};
+use crate::system::mock::Mock;
 use crate::system::unit::terminate;
+use crate::train::lockstep::Clock;
 
 type Calls = Arc<Mutex<Vec<String>>>;
 

@@ -6,13 +6,13 @@
 
 use controller::{Controller, Motion};
 
+use crate::scenario::Scheme;
 use crate::system::parallel;
 use crate::system::port::Port;
-use crate::train::rail::Rail;
-use crate::train::roles::{train, vehicle_input, vehicle_output};
-use crate::scenario::Scheme;
 use crate::system::times::{StepTimes, Stopwatch};
 use crate::system::unit::{Unit, UnitError};
+use crate::train::rail::Rail;
+use crate::train::roles::{train, vehicle_input, vehicle_output};
 
 /// The train's unit with its outputs: a block of [`train::NAMES`] for each vehicle.
 pub struct Train {

@@ -5,14 +5,14 @@ use std::sync::{Arc, Mutex};
 
 use controller::{Controller, Gains, Motion};
 
-use crate::train::lockstep::{Clock, Lockstep, Train, Vehicle};
+use crate::scenario::Scheme;
 use crate::system::mock::Mock;
 use crate::system::port::{Port, Signal};
+use crate::system::unit::{Unit, terminate};
+use crate::train::lockstep::{Clock, Lockstep, Train, Vehicle};
 use crate::train::rail::Rail;
 use crate::train::roles::{self, rail_input, vehicle_input, vehicle_output};
-use crate::scenario::Scheme;
 use crate::train::tape::Tape;
-use crate::system::unit::{Unit, terminate};
 
 const VEHICLES: usize = 2;
 const STEP: f64 = 0.5;

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use crate::fmi::Import;
 use crate::interface::{Variable, VariableType};
-use crate::train::prepare::PrepareError;
-use crate::train::resources::parameter_file;
 use crate::scenario::Value;
 use crate::system::unit::Unit;
+use crate::train::prepare::PrepareError;
+use crate::train::resources::parameter_file;
 
 /// Sets a parameter as the scenario says in the table `key`. An input is given back with its value, since an FMU
 /// takes inputs only when it is being initialised (FMI 2.0 §4.2.4).

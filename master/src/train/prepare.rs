@@ -6,15 +6,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::files::file_error::FileError;
-use crate::fmi::{FmuInstance, Import, ImportError};
-use crate::train::lockstep::{Clock, Lockstep, Train};
 use crate::fmi::pack::{Binary, PackError, pack};
-use crate::system::port::{Port, Signal};
-use crate::train::resources::{self, Origins};
-use crate::train::roles::{self, RoleSignals};
+use crate::fmi::{FmuInstance, Import, ImportError};
 use crate::scenario::Scenario;
+use crate::system::port::{Port, Signal};
 use crate::system::times::StepTimes;
 use crate::system::unit::{Unit, UnitError};
+use crate::train::lockstep::{Clock, Lockstep, Train};
+use crate::train::resources::{self, Origins};
+use crate::train::roles::{self, RoleSignals};
 
 /// Why a scenario cannot be set up.
 #[derive(Debug, thiserror::Error)]

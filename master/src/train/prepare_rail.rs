@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::fmi::Import;
+use crate::scenario::{Heat, Scenario};
+use crate::system::unit::{Unit, UnitError};
 use crate::train::lockstep::Vehicle;
 use crate::train::parameters::set_parameter;
 use crate::train::prepare::{Builder, PrepareError, check_instances, connect};
 use crate::train::rail::Rail;
 use crate::train::resources;
 use crate::train::roles::{self, SIDES};
-use crate::scenario::{Heat, Scenario};
 use crate::train::tape::Tape;
-use crate::system::unit::{Unit, UnitError};
 
 /// Place of each rail to the right of the track's middle on standard gauge, m: half of 1435 mm and of
 /// a head of 72 mm.

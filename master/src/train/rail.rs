@@ -2,11 +2,11 @@
 
 use std::io;
 
-use crate::train::lockstep::Clock;
 use crate::system::port::Port;
+use crate::system::unit::{Unit, UnitError};
+use crate::train::lockstep::Clock;
 use crate::train::roles::{SIDES, rail_input, train, vehicle_output};
 use crate::train::tape::Tape;
-use crate::system::unit::{Unit, UnitError};
 
 /// A rail's unit with its inputs: a block of [`rail_input::NAMES`] for each wheelset.
 pub struct Rail {

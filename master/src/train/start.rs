@@ -5,12 +5,12 @@
 
 use controller::Motion;
 
-use crate::train::lockstep::{Lockstep, Train, Vehicle, in_train};
+use crate::scenario::Scenario;
 use crate::system::parallel;
 use crate::system::port::Port;
-use crate::train::rail::Rail;
-use crate::scenario::Scenario;
 use crate::system::unit::{Unit, UnitError};
+use crate::train::lockstep::{Lockstep, Train, Vehicle, in_train};
+use crate::train::rail::Rail;
 
 /// Why units cannot be initialised.
 #[derive(Debug, thiserror::Error)]

@@ -1,7 +1,7 @@
 //! Units of the exchange.
 
-use crate::system::port::SignalUnit;
 use crate::interface::si::Dimension;
+use crate::system::port::SignalUnit;
 
 const fn of(symbol: &'static str, kg: i32, m: i32, s: i32) -> SignalUnit {
     SignalUnit { symbol, dimension: Dimension::mechanical(kg, m, s) }
