@@ -1,5 +1,5 @@
 //! The master of Hotfoot: runs a train, its vehicles and a rail as FMI 2.0 co-simulation FMUs in
-//! lockstep. It knows FMUs only by their interface.
+//! lockstep. It knows FMUs only by their interface. The program is the package `cli`.
 //!
 //! | place | part |
 //! |---|---|
@@ -18,16 +18,13 @@
 //! | `workplace.rs`, `error.rs`, `file_error.rs` | threads and the folder of a run, and why it failed |
 //! | `recording/`, `report/` | series files and the report |
 //! | `expected.rs` | the figures of a run against those expected of its scenario |
-//! | `supervise.rs` | a run in a child process, which an FMU may crash |
 //! | `ssp/` | systems of FMUs in SSP packages: export of a train, and runs of any system |
-//! | `commands.rs` | the commands of the program |
 
-mod archive;
+pub mod archive;
 pub mod check;
-pub mod commands;
 mod documentation;
 mod error;
-mod expected;
+pub mod expected;
 mod file_error;
 mod finished;
 mod fmi;
@@ -39,7 +36,7 @@ mod name_pattern;
 mod observe;
 mod observe_outputs;
 mod observe_rail;
-mod pack;
+pub mod pack;
 mod parallel;
 mod parameters;
 mod port;
@@ -49,23 +46,22 @@ mod prepare_vehicles;
 mod progress;
 mod rail;
 pub mod recording;
-mod reference;
-mod report;
+pub mod reference;
+pub mod report;
 mod resources;
 pub mod roles;
-mod run;
+pub mod run;
 pub mod scenario;
 mod si;
 pub mod ssp;
 mod start;
 mod stepping;
-mod supervise;
 mod synchronisation;
 mod tape;
 mod times;
 mod traffic;
 mod unit;
-mod workplace;
+pub mod workplace;
 
 #[cfg(test)]
 mod lockstep_tests;
@@ -73,7 +69,7 @@ mod lockstep_tests;
 mod mock;
 
 pub use error::RunError;
-pub use fmi::{FmuInstance, Import};
+pub use fmi::{FmuInstance, Import, watch_crashes};
 pub use interface::Interface;
 pub use lockstep::{Clock, Lockstep, Train, Vehicle};
 pub use parallel::pool;
@@ -81,5 +77,4 @@ pub use port::{Port, Signal};
 pub use prepare::{Folders, prepare};
 pub use rail::Rail;
 pub use roles::Role;
-pub use run::{Options, run};
 pub use unit::{Unit, UnitError};
