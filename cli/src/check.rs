@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use hotfoot::Import;
+use hotfoot::check::reference::{self, Verdict};
 use hotfoot::check::{self, Severity, rules};
-use hotfoot::reference::{self, Verdict};
 use hotfoot::roles;
 use miette::{IntoDiagnostic, Result, miette};
 

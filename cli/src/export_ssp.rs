@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use hotfoot::{ssp, workplace};
+use hotfoot::run::workplace;
+use hotfoot::ssp;
 use miette::Result;
 
 use crate::run::default_fmus;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use hotfoot::check::reference;
 use hotfoot::pack::{self, Binary};
-use hotfoot::reference;
 use miette::{IntoDiagnostic, Result};
 
 /// Arguments of `hotfoot pack`.

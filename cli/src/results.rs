@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use hotfoot::{expected, report};
+use hotfoot::report;
+use hotfoot::run::expected;
 use miette::{IntoDiagnostic, Result, miette};
 
 /// Makes the report of a results folder again.

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use hotfoot::run::{self, Options};
+use hotfoot::recording;
+use hotfoot::run::{self, Options, workplace};
 use hotfoot::scenario::Times;
 use hotfoot::ssp::{self, SystemOptions};
-use hotfoot::{recording, workplace};
 use miette::{IntoDiagnostic, Result, miette};
 
 use crate::supervise;
