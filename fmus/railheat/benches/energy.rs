@@ -9,12 +9,11 @@ mod train;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution};
-use railheat::energy::weather::Weather;
-use railheat::energy::wheels::WheelHeat;
+use railheat::contact::{Wheel, WheelHeat};
+use railheat::energy::{Energy, Parameters, Resolution};
+use railheat::line::Line;
 use railheat::section::RailFile;
-use railheat::wheels::Wheel;
+use railheat::weather::Weather;
 use train::{SPEED, VEHICLES, wheels};
 
 const WEATHER: Weather = Weather::still(298.15);

@@ -9,12 +9,8 @@ mod train;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use railheat::flash_temperature::Friction;
-use railheat::material::Material;
-use railheat::paper::{Paper, Parameters};
-use railheat::rail::Grid;
-use railheat::surface::{Surface, Weather};
-use railheat::wheels::Wheel;
+use railheat::contact::{Friction, Material, Wheel};
+use railheat::paper::{Grid, Paper, Parameters, Surface, Weather};
 use train::{SPEED, VEHICLES, wheels};
 
 const WEATHER: Weather = Weather { ambient: 298.15, irradiance: 1366.0 };

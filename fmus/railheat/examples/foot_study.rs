@@ -11,14 +11,11 @@
 #[path = "../benches/train/mod.rs"]
 mod train;
 
-use railheat::energy::bending::Beam;
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, TrainWeather};
-use railheat::energy::sun::Sun;
-use railheat::energy::weather::Weather;
-use railheat::energy::wheels::WheelHeat;
+use railheat::contact::{Wheel, WheelHeat};
+use railheat::energy::{Beam, Energy, Parameters, TrainWeather};
+use railheat::line::Line;
 use railheat::section::RailFile;
-use railheat::wheels::Wheel;
+use railheat::weather::{Sun, Weather};
 use train::{SPEED, VEHICLES};
 
 /// A clear night, and a summer's day with the sun high at the side.

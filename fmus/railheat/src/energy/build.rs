@@ -4,21 +4,17 @@ use std::ops::Range;
 
 use super::along::Along;
 use super::answer::Answer;
-use super::crown::Crown;
 use super::elements::{Elements, Extra};
 use super::followers::{self, Followers};
 use super::initial::{Initial, NeverSettles};
 use super::ledger::Ledger;
-use super::light::Light;
 use super::model::{Energy, State};
 use super::parameters::{Parameters, Resolution, Start};
-use super::propagator::Propagator;
-use super::readings::Readings;
 use super::untouched::{self, Untouched};
-use super::weather::{Surface, Weather};
 use super::zones::{self, Sector, Zone};
-use crate::rail::Highest;
-use crate::section::{Cells, Modes, NoModes};
+use crate::line::Highest;
+use crate::section::{Cells, Crown, Modes, NoModes, Propagator, Readings};
+use crate::weather::{Light, Surface, Weather};
 
 /// The model cannot begin.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -9,12 +9,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::crown::Crown;
 use super::followers::Followers;
 use super::ledger::Sources;
-use super::propagator::Propagator;
-use crate::section::{LANES, Modes, add, dot};
-use crate::wheels::Wheel;
+use crate::contact::Wheel;
+use crate::section::{Crown, LANES, Modes, Propagator, Readings, add, dot};
 
 /// What an element gets between two steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -197,6 +195,15 @@ impl Elements {
     /// What the modes that follow add to the readings of an element, K.
     pub fn followed(&self, element: usize) -> &[f64] {
         &self.followed[element * self.readings..][..self.readings]
+    }
+
+    /// What an element has more than untouched rail at a reading, counted through levels and rows, K.
+    pub fn read(&self, element: usize, readings: &Readings, reading: usize) -> f64 {
+        let shape = match reading.checked_sub(readings.levels.len()) {
+            None => &readings.levels[reading],
+            Some(row) => &readings.rows[row],
+        };
+        dot(shape, self.amplitudes(element)) + self.followed(element)[reading]
     }
 
     /// Heat by source of an element beyond untouched rail, J/m.

@@ -17,20 +17,16 @@ use serde::{Deserialize, Serialize};
 
 use super::along::Along;
 use super::answer::Answer;
-use super::crown::Crown;
 use super::elements::{Elements, Section};
 use super::followers::Followers;
 use super::ledger::{Ledger, Sources};
 use super::parameters::Parameters;
-use super::propagator::Propagator;
-use super::readings::Readings;
 use super::untouched::{self, Untouched};
-use super::weather::Weather;
 use super::zones::Zone;
-use crate::paper::Stray;
-use crate::rail::Highest;
-use crate::section::Modes;
-use crate::wheels::Wheel;
+use crate::contact::Wheel;
+use crate::line::{Highest, Stray};
+use crate::section::{Crown, Modes, Propagator, Readings};
+use crate::weather::Weather;
 
 /// Slack in comparing times, s: steps are sums of rounded numbers.
 const SAME_TIME: f64 = 1e-9;
@@ -207,7 +203,9 @@ impl Energy {
         }
         for (zone, state) in self.zones.iter_mut().zip(&mut self.state.untouched) {
             let Zone { light, initial, sector, .. } = zone;
-            light.shine(&self.parameters.outline, &self.untouched, &weather, sector.azimuth);
+            let (outline, azimuth) = (&self.parameters.outline, sector.azimuth);
+            let (surface, exchange) = (self.untouched.surface(), self.untouched.exchange());
+            light.shine(outline, surface, exchange, &weather, azimuth);
             let absorbed = &light.absorbed;
             self.untouched.step(state, initial, &self.modes, &weather, absorbed, time);
         }

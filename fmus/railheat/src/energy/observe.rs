@@ -3,7 +3,7 @@
 use super::answer::Finding;
 use super::ledger::{Ledger, Sources};
 use super::model::Energy;
-use crate::rail::Highest;
+use crate::line::Highest;
 use crate::section::dot;
 
 impl Energy {
@@ -72,7 +72,7 @@ impl Energy {
         state.answer.note(finding, parameters.threshold);
         let last = places.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         if let Some(element) = line.element(last) {
-            let rise = readings.read(&state.elements, element, readings.levels.len() - 1);
+            let rise = state.elements.read(element, readings, readings.levels.len() - 1);
             state.answer.note_from_train(Finding { rise, chainage: last, time });
         }
     }

@@ -2,10 +2,10 @@
 
 use super::model::Energy;
 use super::parameters::Parameters;
-use super::weather::Weather;
 use super::zones::Zone;
+use crate::contact::Wheel;
 use crate::section::{add, dot};
-use crate::wheels::Wheel;
+use crate::weather::Weather;
 
 impl Energy {
     /// Counts the time for which elements lie under a vehicle or in its shadow.

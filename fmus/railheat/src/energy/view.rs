@@ -6,9 +6,9 @@ use super::model::{Energy, State};
 use super::parameters::Parameters;
 use super::untouched;
 use super::zones::Zone;
-use crate::rail::Highest;
+use crate::contact::Wheel;
+use crate::line::Highest;
 use crate::section::{Modes, dot};
-use crate::wheels::Wheel;
 
 impl Energy {
     /// The model's constants.
@@ -38,7 +38,7 @@ impl Energy {
 
     /// The rise of an element over untouched rail at a level, K.
     pub fn excess(&self, element: usize, level: usize) -> f64 {
-        self.readings.read(&self.state.elements, element, level)
+        self.state.elements.read(element, &self.readings, level)
     }
 
     /// The rise at the surface where no wheel has been, at the beginning of the track, K.
@@ -127,7 +127,7 @@ impl Energy {
                 continue;
             }
             for (row, (value, rise)) in column.iter_mut().zip(untouched).enumerate() {
-                *value = (rise + readings.read(&state.elements, element, levels + row)) as f32;
+                *value = (rise + state.elements.read(element, readings, levels + row)) as f32;
             }
         }
     }
@@ -147,7 +147,7 @@ impl Energy {
     pub fn restore(&mut self, state: State) {
         self.state = state;
         for (element, surface) in self.surface.iter_mut().enumerate() {
-            *surface = self.readings.read(&self.state.elements, element, 0);
+            *surface = self.state.elements.read(element, &self.readings, 0);
         }
         self.read_untouched();
     }

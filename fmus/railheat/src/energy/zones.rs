@@ -8,9 +8,9 @@ use std::f64::consts::TAU;
 
 use super::elements::Extra;
 use super::initial::Initial;
-use super::light::Light;
 use super::untouched::{self, Untouched};
 use crate::section::{Modes, dot};
+use crate::weather::Light;
 
 /// Directions are told apart to 5°: the sunlight on a surface is at most 0.044 times the irradiance off.
 pub const SECTOR: f64 = TAU / 72.0;

@@ -25,7 +25,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use nalgebra::{DMatrix, DVectorView, SymmetricEigen};
 
 use super::cells::Cells;
-use crate::material::Material;
+use crate::contact::Material;
 
 /// Sums are formed in so many parts at a time, and mode arrays padded to a multiple of it.
 pub const LANES: usize = 8;

@@ -1,9 +1,9 @@
 //! Conduction along the track.
 
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution};
-use railheat::energy::weather::Exchange;
-use railheat::wheels::Wheel;
+use railheat::contact::Wheel;
+use railheat::energy::{Energy, Parameters, Resolution};
+use railheat::line::Line;
+use railheat::weather::Exchange;
 
 use crate::energy_common::{INSULATED, NIGHT, outline, parameters, run, wheel};
 

@@ -3,13 +3,11 @@
 
 use std::f64::consts::PI;
 
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution, Start};
-use railheat::energy::sun::Sun;
-use railheat::energy::weather::{Exchange, Weather};
-use railheat::material::Material;
+use railheat::contact::{Material, Wheel};
+use railheat::energy::{Energy, Parameters, Resolution, Start};
+use railheat::line::Line;
 use railheat::section::{Outline, RailFile};
-use railheat::wheels::Wheel;
+use railheat::weather::{Exchange, Sun, Weather};
 
 use crate::common::SPEED;
 use crate::energy_common::{INSULATED, NIGHT, parameters, run, slab, wheel};

@@ -1,12 +1,7 @@
 //! What several tests need.
 
-use railheat::creep_force::Contact;
-use railheat::flash_temperature::Friction;
-use railheat::material::Material;
-use railheat::paper::{Paper, Parameters};
-use railheat::rail::{Exchange, Grid};
-use railheat::surface::{Surface, Weather};
-use railheat::wheels::Wheel;
+use railheat::contact::{Contact, Friction, Material, Wheel};
+use railheat::paper::{Exchange, Grid, Paper, Parameters, Surface, Weather};
 
 /// A surface that exchanges nothing.
 pub const ADIABATIC: Surface =

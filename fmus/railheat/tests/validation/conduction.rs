@@ -1,9 +1,7 @@
 //! Conduction over the depth.
 
-use railheat::column::fourier_number;
-use railheat::material::Material;
-use railheat::rail::{Level, Rail};
-use railheat::surface::{Surface, Weather};
+use railheat::contact::Material;
+use railheat::paper::{Level, Rail, Surface, Weather, fourier_number};
 
 use crate::common::{ADIABATIC, exchange, grid};
 use crate::exact::{SLAB as LENGTH, impulse, slab_under_flux};

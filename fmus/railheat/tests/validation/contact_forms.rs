@@ -3,13 +3,9 @@
 
 use std::f64::consts::PI;
 
-use railheat::creep_force::Contact;
-use railheat::energy::chill::conductance;
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Parameters, Resolution};
-use railheat::energy::wheels::WheelHeat;
-use railheat::material::Material;
-use railheat::wheels::Wheel;
+use railheat::contact::chill::conductance;
+use railheat::contact::{Contact, Material, Wheel, WheelHeat};
+use railheat::energy::{Energy, Parameters, Resolution};
 
 use crate::common::SPEED;
 use crate::energy_common::{NIGHT, outline, parameters, run, wheel};

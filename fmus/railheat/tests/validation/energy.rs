@@ -1,10 +1,9 @@
 //! `model = "energy"` as a whole: heat is conserved, and reaches the foot when it should.
 
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution, Start};
-use railheat::energy::weather::{Exchange, Weather};
-use railheat::energy::wheels::WheelHeat;
-use railheat::wheels::Wheel;
+use railheat::contact::{Wheel, WheelHeat};
+use railheat::energy::{Energy, Parameters, Resolution, Start};
+use railheat::line::Line;
+use railheat::weather::{Exchange, Weather};
 
 use crate::common::SPEED;
 use crate::energy_common::{

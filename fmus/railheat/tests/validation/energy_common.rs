@@ -1,14 +1,10 @@
 //! What the tests of `model = "energy"` need.
 
-use railheat::creep_force::Contact;
-use railheat::energy::bending::Beam;
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution, Start, TrainWeather};
-use railheat::energy::sun::Sun;
-use railheat::energy::weather::{Exchange, Weather};
-use railheat::energy::wheels::WheelHeat;
+use railheat::contact::{Contact, Wheel, WheelHeat};
+use railheat::energy::{Beam, Energy, Parameters, Resolution, Start, TrainWeather};
+use railheat::line::Line;
 use railheat::section::{Outline, RailFile};
-use railheat::wheels::Wheel;
+use railheat::weather::{Exchange, Sun, Weather};
 
 use crate::common::SPEED;
 

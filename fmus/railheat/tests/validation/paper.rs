@@ -1,11 +1,7 @@
 //! The paper's model as a whole: its rules, its known defects, and what must hold in spite of them.
 
-use railheat::flash_temperature::flash_rise;
-use railheat::material::Material;
-use railheat::paper::{Paper, Parameters, State};
-use railheat::rail::{Grid, Level};
-use railheat::surface::{Surface, Weather};
-use railheat::wheels::{Wheel, passed};
+use railheat::contact::{Material, Wheel, flash_rise};
+use railheat::paper::{Grid, Level, Paper, Parameters, State, Surface, Weather, passed};
 
 use crate::common::{ADIABATIC, CONTACT, SPEED, SUNNY, parameters, run, wheel};
 

@@ -2,15 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use railheat::energy::ephemeris::Ephemeris;
-use railheat::energy::initial::Day;
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Parameters, Resolution, Start, TrainWeather};
-use railheat::energy::shadow::Body;
-use railheat::energy::sun::Sun;
-use railheat::energy::weather::{Exchange, Weather};
-use railheat::energy::zones::{Azimuth, SECTOR, sectors};
-use railheat::wheels::Wheel;
+use railheat::contact::Wheel;
+use railheat::energy::{
+    Azimuth, Day, Energy, Parameters, Resolution, SECTOR, Start, TrainWeather, sectors,
+};
+use railheat::weather::{Body, Ephemeris, Exchange, Sun, Weather};
 
 use crate::energy_common::{INSULATED, NIGHT, outline, parameters, run, wheel};
 

@@ -1,7 +1,6 @@
 //! Exchange with the weather.
 
-use railheat::rail::{Level, Rail};
-use railheat::surface::{Surface, Weather};
+use railheat::paper::{Level, Rail, Surface, Weather};
 
 use crate::common::{exchange, grid};
 
@@ -43,7 +42,7 @@ fn property_the_rail_tends_to_the_equilibrium() {
     let weather = Weather { ambient: 300.0, irradiance: 1366.0 };
     let exchange = exchange(&Surface::PAPER, &weather, interval, cell_size);
     let number =
-        railheat::column::fourier_number(&railheat::material::Material::PAPER, interval, cell_size)
+        railheat::paper::fourier_number(&railheat::contact::Material::PAPER, interval, cell_size)
             .unwrap();
     let mut rail = Rail::new(&grid);
     for _ in 0..225_000 {

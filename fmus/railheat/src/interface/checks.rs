@@ -2,12 +2,11 @@
 
 use fmu::ModelError;
 
-use crate::bounds::wrong;
-use crate::energy::weather::Weather;
-use crate::file::Shape;
-use crate::heat::Heat;
-use crate::weather_file::BOUNDS;
-use crate::wheels::Wheel;
+use super::bounds::wrong;
+use super::heat::Heat;
+use super::shape::Shape;
+use crate::contact::Wheel;
+use crate::weather::{BOUNDS, Weather};
 
 /// Refuses weather that there is not, within the bounds of a weather file.
 pub(crate) fn weather(weather: &Weather) -> Result<(), ModelError> {

@@ -2,13 +2,10 @@
 
 use fmu::{Boolean, Declaration, ModelError, Real, Text, Values, unit};
 
-use crate::bounds::{not_negative, positive, share, whole, wrong};
-use crate::energy::weather::Weather;
-use crate::flash_temperature::Friction;
-use crate::material::Material;
-use crate::paper::Parameters;
-use crate::rail::Grid;
-use crate::surface::{self, Surface};
+use super::bounds::{not_negative, positive, share, whole, wrong};
+use crate::contact::{Friction, Material};
+use crate::paper::{self, Grid, Parameters, Surface};
+use crate::weather::Weather;
 
 /// Most cells of the whole rail: 0.8 GB.
 const MOST_CELLS: f64 = 1e8;
@@ -214,7 +211,7 @@ impl ParameterSignals {
                 partition: share("friction.partition", values[self.partition])?,
             },
             initial_temperature: if values[self.equilibrium] {
-                surface.equilibrium(&surface::Weather {
+                surface.equilibrium(&paper::Weather {
                     ambient: weather.ambient,
                     irradiance: weather.direct,
                 })

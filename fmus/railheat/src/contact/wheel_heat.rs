@@ -9,13 +9,10 @@
 //! crown's temperature when the conduction was computed last.
 
 use super::chill;
-use crate::creep_force::Contact;
-use crate::flash_temperature::flash_rise;
-use crate::material::Material;
-use crate::wheels::Wheel;
-
-/// Mean over the contact ellipse of the rise by a semi-ellipsoid of flux, over its highest.
-pub const MEAN_OVER_PEAK: f64 = 0.676_506_3 / 1.234_619_8;
+use super::creep_force::Contact;
+use super::flash::flash_rise;
+use super::material::Material;
+use super::wheel::Wheel;
 
 /// What all wheels have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -11,13 +11,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::audit::Energy;
-use crate::column::{Unstable, fourier_number};
-use crate::flash_temperature::Friction;
-use crate::material::Material;
-use crate::rail::{Exchange, Grid, Highest, Level, Rail};
-use crate::surface::{Surface, Weather};
-use crate::wheels::{Wheel, passed};
+use super::audit::Energy;
+use super::column::{Unstable, fourier_number};
+use super::passed::passed;
+use super::rail::{Exchange, Grid, Level, Rail};
+use super::running_surface::{Surface, Weather};
+use crate::contact::{Friction, Material, Wheel};
+use crate::line::{Highest, Stray};
 
 /// Slack in comparing times, s: steps are sums of rounded numbers.
 const SAME_TIME: f64 = 1e-9;
@@ -41,15 +41,6 @@ pub struct Parameters {
     pub initial_temperature: f64,
     /// Depths at which the highest rise is looked for besides surface and foot, m.
     pub depths: Vec<f64>,
-}
-
-/// A wheel that stands outside the modelled track.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stray {
-    /// Place of the wheel in the order given.
-    pub wheel: usize,
-    /// Its chainage, m.
-    pub position: f64,
 }
 
 /// All that changes.

@@ -1,7 +1,7 @@
 //! The sunlight that the rail's surface absorbs, computed anew when sun or irradiance change.
 
-use super::untouched::Untouched;
-use super::weather::{Exchange, Surface, Weather};
+use super::conditions::Weather;
+use super::exchange::{Exchange, Surface};
 use crate::section::Outline;
 
 /// What each piece of the surface absorbs.
@@ -37,13 +37,13 @@ impl Light {
     pub fn shine(
         &mut self,
         outline: &Outline,
-        untouched: &Untouched,
+        surface: &Surface,
+        exchange: &Exchange,
         weather: &Weather,
         azimuth: f64,
     ) {
         let of_light = |w: &Weather| (w.direct, w.diffuse, w.sun);
         if self.weather.as_ref().map(of_light) != Some(of_light(weather)) {
-            let (surface, exchange) = (untouched.surface(), untouched.exchange());
             *self = Self::new(outline, surface, exchange, weather, azimuth);
         }
     }

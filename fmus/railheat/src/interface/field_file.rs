@@ -4,7 +4,7 @@ use std::path::Path;
 
 use field::{Attribute, Axes, FieldError, FieldWriter};
 
-use crate::heat::Heat;
+use super::heat::Heat;
 
 /// Slack in comparing times, s.
 const SAME_TIME: f64 = 1e-9;

@@ -2,12 +2,12 @@
 
 use fmu::{Declaration, Real, unit};
 
-use crate::file::Shape;
-use crate::parameters::ParameterSignals;
-use crate::parameters_energy::EnergyParameterSignals;
-use crate::parameters_site::SiteSignals;
-use crate::signals_energy::EnergyOutputSignals;
-use crate::signals_inputs::{WeatherSignals, WheelSignals};
+use super::parameters::ParameterSignals;
+use super::parameters_energy::EnergyParameterSignals;
+use super::parameters_site::SiteSignals;
+use super::shape::Shape;
+use super::signals_energy::EnergyOutputSignals;
+use super::signals_inputs::{WeatherSignals, WheelSignals};
 
 /// Handles of all variables.
 #[derive(Debug)]

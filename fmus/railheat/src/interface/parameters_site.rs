@@ -5,13 +5,10 @@ use std::path::Path;
 use fmu::{Boolean, Declaration, ModelError, Real, Text, Values, unit};
 use track::Track;
 
-use crate::bounds::{positive, wrong};
-use crate::energy::ephemeris::Ephemeris;
-use crate::energy::initial::Day;
-use crate::energy::parameters::Line;
-use crate::energy::shadow::Body;
-use crate::energy::weather::Weather;
-use crate::energy::zones::Azimuth;
+use super::bounds::{positive, wrong};
+use crate::energy::{Azimuth, Day};
+use crate::line::Line;
+use crate::weather::{Body, Ephemeris, Weather};
 
 /// Track in the resources, used when no other is named.
 const TRACK_FILE: &str = "track.toml";

@@ -7,7 +7,7 @@
 //!
 //! The integral gives the heat that the surface lost meanwhile.
 
-use crate::section::Modes;
+use super::modes::Modes;
 
 /// Amplitudes below this are nothing: less than 1e-20 K in any cell. A mode that has decayed so far costs nothing.
 const NOTHING: f64 = 1e-20;
@@ -68,7 +68,7 @@ impl Propagator {
     }
 
     /// What is left of heat at the end of the step over which it comes in evenly.
-    pub(super) fn gain(&self) -> &[f64] {
+    pub(crate) fn gain(&self) -> &[f64] {
         &self.gain
     }
 

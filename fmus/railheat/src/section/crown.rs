@@ -10,7 +10,8 @@
 //!
 //! A band that would reach beyond the running surface is moved inwards, so that no heat is lost.
 
-use crate::section::{Cells, Facet, Modes};
+use super::cells::{Cells, Facet};
+use super::modes::Modes;
 
 /// Depth to which the head's surface counts as running surface, m: to the gauge point.
 const RUNNING_DEPTH: f64 = 0.016;

@@ -2,12 +2,9 @@
 
 use fmu::{Declaration, Real, Values, unit};
 
-use crate::energy::answer::Finding;
-use crate::energy::ledger::Sources;
-use crate::energy::model::Energy;
-use crate::energy::wheels::MEAN_OVER_PEAK;
-use crate::file::Shape;
-use crate::wheels::Wheel;
+use super::shape::Shape;
+use crate::contact::{MEAN_OVER_PEAK, Wheel};
+use crate::energy::{Energy, Finding, Sources};
 
 /// Value of a time or place that there is not yet.
 const NOT_YET: f64 = -1.0;

@@ -2,17 +2,13 @@
 
 use fmu::{Boolean, Declaration, ModelError, Real, Text, Values, unit};
 
-use crate::bounds::{not_negative, positive, share, whole, wrong};
-use crate::energy::bending::Beam;
-use crate::energy::ephemeris::Ephemeris;
-use crate::energy::initial::Day;
-use crate::energy::parameters::{Line, Parameters, Resolution, Start, TrainWeather};
-use crate::energy::shadow::Body;
-use crate::energy::weather::Exchange;
-use crate::energy::wheels::WheelHeat;
-use crate::energy::zones::Azimuth;
-use crate::parameters::ParameterSignals;
+use super::bounds::{not_negative, positive, share, whole, wrong};
+use super::parameters::ParameterSignals;
+use crate::contact::WheelHeat;
+use crate::energy::{Azimuth, Beam, Day, Parameters, Resolution, Start, TrainWeather};
+use crate::line::Line;
 use crate::section::RailFile;
+use crate::weather::{Body, Ephemeris, Exchange};
 
 /// Most elements along the track.
 const MOST_ELEMENTS: f64 = 1e6;

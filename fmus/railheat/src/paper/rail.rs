@@ -6,8 +6,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::column::{self, LANES};
-use crate::surface::{Surface, Weather};
+use super::column::{self, LANES};
+use super::running_surface::{Surface, Weather};
+use crate::line::Highest;
 
 /// How the rail is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,15 +100,6 @@ impl Level {
         let lane = (0..columns).find(|lane| highest > limit && rise(*lane) == highest)?;
         Some((lane, highest))
     }
-}
-
-/// The highest rise at a depth, and where.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Highest {
-    /// Rise, K.
-    pub rise: f64,
-    /// Chainage, m.
-    pub chainage: f64,
 }
 
 /// Sums of temperature changes in K over cells, from one step of the rail.

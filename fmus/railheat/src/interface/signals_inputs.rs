@@ -2,10 +2,8 @@
 
 use fmu::{Declaration, Real, Values, unit};
 
-use crate::creep_force::Contact;
-use crate::energy::sun::Sun;
-use crate::energy::weather::Weather;
-use crate::wheels::Wheel;
+use crate::contact::{Contact, Wheel};
+use crate::weather::{Sun, Weather};
 
 /// Handles of the inputs of one wheel.
 #[derive(Debug)]

@@ -1,8 +1,8 @@
 //! Where in the section the rise is read: on its middle line, linear between the middles of rows; at the foot on
 //! its underside.
 
-use super::elements::Elements;
-use crate::section::{Cells, Modes, dot};
+use super::cells::{Cells, Facet};
+use super::modes::Modes;
 
 /// Half width of the band on the crown over which the surface is read, m.
 const BAND: f64 = 0.015;
@@ -46,15 +46,6 @@ impl Readings {
             depths: (0..cells.rows).map(|row| (row as f64 + 0.5) * step).collect(),
         }
     }
-
-    /// What an element has more than untouched rail at a reading, counted through levels and rows, K.
-    pub fn read(&self, elements: &Elements, element: usize, reading: usize) -> f64 {
-        let shape = match reading.checked_sub(self.levels.len()) {
-            None => &self.levels[reading],
-            Some(row) => &self.rows[row],
-        };
-        dot(shape, elements.amplitudes(element)) + elements.followed(element)[reading]
-    }
 }
 
 /// The cells of a row nearest to the middle line, with equal weights.
@@ -70,7 +61,7 @@ fn middle_of_row(cells: &Cells, row: usize) -> Vec<(usize, f64)> {
 
 /// The cells of the crown's middle band with their shares.
 fn crown(cells: &Cells) -> Vec<(usize, f64)> {
-    let on_band = |facet: &&crate::section::Facet| {
+    let on_band = |facet: &&Facet| {
         facet.normal.z < 0.0 && facet.middle().y.abs() < BAND && facet.middle().z < 0.016
     };
     let facets: Vec<_> = cells.facets.iter().filter(on_band).collect();

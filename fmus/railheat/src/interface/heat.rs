@@ -2,18 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::energy;
-use crate::paper;
-use crate::rail::Highest;
-use crate::surface;
-use crate::wheels::Wheel;
+use crate::contact::Wheel;
+use crate::line::Highest;
+use crate::{energy, paper};
 
 /// One of the models.
 pub(crate) enum Heat {
     /// `model = "paper"`
     Paper(Box<paper::Paper>),
     /// `model = "energy"`
-    Energy(Box<energy::model::Energy>),
+    Energy(Box<energy::Energy>),
 }
 
 /// The state of one of the models.
@@ -22,7 +20,7 @@ pub enum State {
     /// Of `model = "paper"`.
     Paper(Box<paper::State>),
     /// Of `model = "energy"`.
-    Energy(Box<energy::model::State>),
+    Energy(Box<energy::State>),
 }
 
 /// The elements along the track.
@@ -58,14 +56,14 @@ impl Heat {
     pub fn step(
         &mut self,
         wheels: &[Wheel],
-        weather: &energy::weather::Weather,
+        weather: &Weather,
         start: f64,
         length: f64,
-    ) -> Option<paper::Stray> {
+    ) -> Option<Stray> {
         match self {
             Self::Paper(model) => {
                 let weather =
-                    surface::Weather { ambient: weather.ambient, irradiance: weather.direct };
+                    paper::Weather { ambient: weather.ambient, irradiance: weather.direct };
                 model.step(wheels, &weather, start, length)
             }
             Self::Energy(model) => model.step(wheels, weather, start, length),

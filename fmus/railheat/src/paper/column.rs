@@ -13,7 +13,7 @@
 //! Columns are worked on in blocks of [`LANES`], with the cells of one depth side by side, so that
 //! the compiler makes vector instructions of it.
 
-use crate::material::Material;
+use crate::contact::Material;
 
 /// Number of columns of a block: one block of 34 cells fits into the first-level cache.
 pub const LANES: usize = 64;

@@ -16,11 +16,14 @@
 
 use std::f64::consts::PI;
 
-use crate::creep_force::{Contact, creep_force};
-use crate::material::Material;
+use super::creep_force::{Contact, creep_force};
+use super::material::Material;
 
 /// Highest rise behind a semi-elliptic flux, in units of ε (q₀/β) √(a/v).
 pub const HERTZ_PEAK: f64 = 1.234_619_8;
+
+/// Mean over the contact ellipse of the rise by a semi-ellipsoid of flux, over its highest.
+pub const MEAN_OVER_PEAK: f64 = 0.676_506_3 / 1.234_619_8;
 
 /// Highest rise in K of the rail's surface by the friction power `force · creepage · speed`, of
 /// which the share `partition` flows into the rail.

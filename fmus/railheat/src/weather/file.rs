@@ -13,8 +13,8 @@
 
 use std::path::Path;
 
-use crate::energy::sun::Sun;
-use crate::energy::weather::Weather;
+use super::conditions::Weather;
+use super::sun::Sun;
 
 /// First line of the file.
 pub const HEADER: &str =

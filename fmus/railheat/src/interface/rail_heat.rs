@@ -6,18 +6,17 @@ use std::path::Path;
 use field::FieldError;
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
 
-use crate::checks;
-use crate::energy::model::Energy;
-use crate::energy::weather::Weather;
-use crate::field_file::FieldFile;
-use crate::file::Shape;
-use crate::heat::{Heat, State};
-use crate::paper::{Paper, Stray};
-use crate::parameters_energy::{self, Place};
-use crate::parameters_site;
-use crate::signals::Signals;
-use crate::weather_file::WeatherFile;
-use crate::wheels::Wheel;
+use super::field_file::FieldFile;
+use super::heat::{Heat, State};
+use super::parameters_energy::{self, Place};
+use super::shape::Shape;
+use super::signals::Signals;
+use super::{checks, parameters_site};
+use crate::contact::Wheel;
+use crate::energy::Energy;
+use crate::line::Stray;
+use crate::paper::Paper;
+use crate::weather::{Weather, WeatherFile};
 
 /// Heat in one rail from the wheels of a train.
 pub struct RailHeat {

@@ -1,0 +1,24 @@
+//! `model = "paper"`: the model of the paper, one column of cells over the depth for each element.
+//!
+//! | file | part |
+//! |---|---|
+//! | `model.rs` | what happens in which order |
+//! | `passed.rs` | which elements a wheel passes in a step |
+//! | `rail.rs` | all elements: grid, untouched rail, readings |
+//! | `column.rs` | heat conduction over the depth |
+//! | `running_surface.rs` | heat exchanged with the weather |
+//! | `audit.rs` | where the heat came from and where it is |
+
+mod audit;
+mod column;
+mod model;
+mod passed;
+mod rail;
+mod running_surface;
+
+pub use audit::Energy;
+pub use column::{LANES, Unstable, conduct, fourier_number};
+pub use model::{Paper, Parameters, State};
+pub use passed::passed;
+pub use rail::{Exchange, Grid, Level, Rail, Sums};
+pub use running_surface::{Surface, Weather};
