@@ -11,8 +11,9 @@
 #[path = "../benches/train/mod.rs"]
 mod train;
 
+use railheat::HeatModel;
 use railheat::contact::{Wheel, WheelHeat};
-use railheat::energy::{Beam, Energy, Parameters, TrainWeather};
+use railheat::energy::{Beam, EnergyModel, Parameters, TrainWeather};
 use railheat::line::Line;
 use railheat::section::RailFile;
 use railheat::weather::{Sun, Weather};
@@ -83,7 +84,7 @@ const CASES: [Case; 11] = [
     },
 ];
 
-fn model(case: &Case) -> Energy {
+fn model(case: &Case) -> EnergyModel {
     let outline = RailFile::open("AS60").expect("a section that is built in").outline();
     let base = Parameters::new(outline, Line { begin: 0.0, element_length: 0.1, elements: 50 });
     let parameters = Parameters {
@@ -97,7 +98,7 @@ fn model(case: &Case) -> Energy {
         depths: vec![0.06],
         ..base
     };
-    Energy::new(parameters, &[6; VEHICLES], &case.weather, 0.0)
+    EnergyModel::new(parameters, &[6; VEHICLES], &case.weather, 0.0)
         .expect("a section of the default cells")
 }
 

@@ -16,8 +16,10 @@ use std::f64::consts::PI;
 /// 2 ∫ (1-u²)^¼ du over -1 to 1 = 2 √π Γ(5/4)/Γ(7/4).
 const PATCH: f64 = 3.496_076_8;
 
-/// Conductance of the contact in W/K, for wheel and rail of one steel with the thermal penetration
-/// coefficient `penetration` in W·√s/(m²·K), semi-axes `a` and `b` in m and a speed in m/s.
+/// Conductance of the contact between a wheel and a rail of one steel, W/K.
+///
+/// The steel has the thermal penetration coefficient `penetration` in W·√s/(m²·K); the semi-axes
+/// `a` and `b` are in m, the speed in m/s.
 pub fn conductance(penetration: f64, a: f64, b: f64, speed: f64) -> f64 {
     PATCH * 0.5 * penetration * b * (2.0 * a * speed.abs() / PI).sqrt()
 }

@@ -8,7 +8,7 @@
 //!
 //! Polach, *Wear* 258 (2005) 992-1000, with both reduction factors 1 (clean, dry surfaces),
 //! because the paper gives one friction coefficient and nothing about contamination.
-//! Against CONTACT's exact half-space the force is within 6.2 % (reference/vehicle.md 4.7);
+//! Against the exact half-space of Vollebregt's program CONTACT the force is within 6.2 %;
 //! validated by `benchmark_creep_force_against_contact`.
 
 use std::f64::consts::PI;
@@ -37,8 +37,10 @@ pub fn creep_force(contact: &Contact, creepage: f64, friction: f64) -> f64 {
     2.0 / PI * limit * (e / (1.0 + e * e) + e.atan())
 }
 
-/// Kalker's coefficient C₁₁ for ν = 0.28: a parabola in a/b fitted to his table (reference/vehicle.md
-/// 4.3), within 1.7 % for a/b from 0.1 to 10; outside it is held.
+/// Kalker's coefficient C₁₁ for ν = 0.28 at a ratio a/b of the semi-axes.
+///
+/// A parabola fitted to the table of Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*
+/// (1990), within 1.7 % for a/b from 0.1 to 10; outside the value at the end is held.
 pub fn kalker_c11(ratio: f64) -> f64 {
     let r = ratio.clamp(0.1, 10.0);
     3.286 + 0.975 * r - 0.0119 * r * r

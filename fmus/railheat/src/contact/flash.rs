@@ -25,8 +25,10 @@ pub const HERTZ_PEAK: f64 = 1.234_619_8;
 /// Mean over the contact ellipse of the rise by a semi-ellipsoid of flux, over its highest.
 pub const MEAN_OVER_PEAK: f64 = 0.676_506_3 / 1.234_619_8;
 
-/// Highest rise in K of the rail's surface by the friction power `force · creepage · speed`, of
-/// which the share `partition` flows into the rail.
+/// Highest temperature rise of the rail's surface under a wheel, K.
+///
+/// The friction power is `force · creepage · speed`, of which the share `partition` flows into the
+/// rail.
 pub fn flash_rise(
     contact: &Contact,
     force: f64,
@@ -53,8 +55,9 @@ impl Friction {
     /// Table 4 of the paper, and equal steels.
     pub const PAPER: Self = Self { coefficient: 0.47, partition: 0.5 };
 
-    /// Rise in K of the surface by a wheel's longitudinal creepage at a speed in m/s; lateral
-    /// creepage and spin add nothing, as in the paper. A wheel without normal force adds nothing.
+    /// Temperature rise of the surface by a wheel's longitudinal creepage, K.
+    ///
+    /// Lateral creepage and spin add nothing, as in the paper; nor does a wheel without normal force.
     pub fn rise(&self, contact: &Contact, creepage: f64, speed: f64, material: &Material) -> f64 {
         if contact.normal_force <= 0.0 {
             return 0.0;

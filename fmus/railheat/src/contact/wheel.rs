@@ -15,22 +15,23 @@ pub struct Wheel {
     pub contact: Contact,
     /// Friction power of the contact, W.
     pub friction_power: f64,
-    /// Place of the contact on the head, to the right of its middle, m.
+    /// Lateral position of the contact on the head, to the right of its middle, m.
     pub lateral_position: f64,
     /// Heat of the tread brake into the wheel, W.
     pub brake_power: f64,
 }
 
 impl Wheel {
-    /// Whether there is no such wheel now: it neither runs nor carries, as before the train has come
-    /// and between two trains. A wheel that is there again comes with its speed, and has the
+    /// Whether the wheel neither runs nor carries, so that there is none now.
+    ///
+    /// So it is before the train has come and between two trains. A wheel that is there again comes with its speed, and has the
     /// temperature that wheels have at the start.
     pub fn is_absent(&self) -> bool {
         self.speed == 0.0 && self.contact.normal_force == 0.0
     }
 
     /// Where the wheel is for the next step, if it is there, m.
-    pub fn place(&self) -> Option<f64> {
+    pub fn present_position(&self) -> Option<f64> {
         (!self.is_absent()).then_some(self.position)
     }
 }

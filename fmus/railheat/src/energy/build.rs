@@ -6,10 +6,11 @@ use super::along::Along;
 use super::answer::Answer;
 use super::elements::{Elements, Extra};
 use super::followers::{self, Followers};
-use super::initial::{Initial, NeverSettles};
+use super::initial::Initial;
 use super::ledger::Ledger;
-use super::model::{Energy, State};
+use super::model::{EnergyModel, State};
 use super::parameters::{Parameters, Resolution, Start};
+use super::start::NeverSettles;
 use super::untouched::{self, Untouched};
 use super::zones::{self, Sector, Zone};
 use crate::line::Highest;
@@ -27,7 +28,7 @@ pub enum CannotBegin {
     Day(#[from] NeverSettles),
 }
 
-impl Energy {
+impl EnergyModel {
     /// A rail at its start, with so many wheels on each vehicle.
     ///
     /// # Errors
@@ -93,7 +94,7 @@ impl Energy {
             propagator,
             surface: vec![0.0; line.elements],
             foot: Highest { rise: 0.0, chainage: line.chainage(0) },
-            places: vec![None; wheels],
+            chainages: vec![None; wheels],
             source: vec![0.0; kept],
             vehicles: vehicles(wheelsets),
             state: initial,
@@ -127,8 +128,9 @@ impl Beginning<'_> {
         let Self { parameters, modes, weather, base } = *self;
         let (outline, exchange) = (&parameters.outline, &parameters.exchange);
         let light = Light::new(outline, untouched.surface(), exchange, weather, sector.azimuth);
+        let pieces = untouched.surface().facets().len();
         let initial = match &parameters.start {
-            Start::Uniform(temperature) => Initial::uniform(untouched, modes, *temperature),
+            Start::Uniform(temperature) => Initial::uniform(pieces, modes, *temperature),
             Start::Equilibrium => {
                 Initial::equilibrium(untouched, modes, weather, &light.absorbed, base)
             }
@@ -180,7 +182,7 @@ impl State {
             highest: vec![nowhere; levels],
             highest_flash: 0.0,
             answer: Answer::default(),
-            stray_told: false,
+            stray_warned: false,
         }
     }
 }

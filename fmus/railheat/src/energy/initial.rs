@@ -1,6 +1,6 @@
 //! The rail's temperatures at the start, from which all rises count.
 
-use crate::section::Modes;
+use crate::section::{Modes, crown_piece};
 use crate::weather::Surface;
 
 /// Temperatures of the surface at the start, and what they do by themselves.
@@ -15,9 +15,8 @@ pub struct Initial {
 }
 
 impl Initial {
-    /// A rail of one temperature in K.
-    pub fn uniform(untouched: &Untouched, modes: &Modes, temperature: f64) -> Self {
-        let pieces = untouched.surface().facets().len();
+    /// A rail of one temperature in K, with so many pieces of surface.
+    pub fn uniform(pieces: usize, modes: &Modes, temperature: f64) -> Self {
         Self {
             temperatures: vec![temperature; pieces],
             balanced: vec![0.0; pieces],
@@ -34,9 +33,6 @@ impl Initial {
 
     /// Temperature of the piece of surface at the middle of the crown, K.
     pub fn crown(&self, surface: &Surface) -> f64 {
-        let facets = surface.facets();
-        let distance = |i: &usize| facets[*i].middle().y.hypot(facets[*i].middle().z);
-        let nearest = (0..facets.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        nearest.map_or(f64::NAN, |piece| self.temperatures[piece])
+        self.temperatures[crown_piece(surface.facets())]
     }
 }

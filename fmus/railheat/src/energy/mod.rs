@@ -40,7 +40,7 @@ pub use bending::Beam;
 pub use build::CannotBegin;
 pub use initial::Initial;
 pub use ledger::{Ledger, Sources};
-pub use model::{Energy, LONGEST_IDLE, State};
+pub use model::{EnergyModel, LONGEST_IDLE, State};
 pub use parameters::{Parameters, Resolution, Start, TrainWeather};
 pub use start::{Day, NeverSettles};
 pub use zones::{Azimuth, SECTOR, Sector, sectors};

@@ -1,7 +1,7 @@
 //! All constants of the model.
 
 use super::bending::Beam;
-use super::initial::Day;
+use super::start::Day;
 use super::zones::Azimuth;
 use crate::contact::{Material, WheelHeat};
 use crate::line::Line;

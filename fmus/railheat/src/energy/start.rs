@@ -42,8 +42,10 @@ pub struct Day {
 }
 
 impl Initial {
-    /// A rail in equilibrium with a weather that absorbs so much in each piece, W/m²; `base` is a
-    /// temperature near it, K.
+    /// A rail in equilibrium with a weather.
+    ///
+    /// `absorbed` is the sunlight in each piece of surface, W/m²; `base` is a temperature near the
+    /// equilibrium, K.
     pub fn equilibrium(
         untouched: &mut Untouched,
         modes: &Modes,
@@ -51,7 +53,7 @@ impl Initial {
         absorbed: &[f64],
         base: f64,
     ) -> Self {
-        let mut initial = Self::uniform(untouched, modes, base);
+        let mut initial = Self::uniform(untouched.surface().facets().len(), modes, base);
         if modes.rates[0] <= 0.0 {
             return initial;
         }
@@ -78,8 +80,9 @@ impl Initial {
         initial
     }
 
-    /// A rail as a day leaves it that has come again and again, on a track of this azimuth; `base`
-    /// is a temperature near it, K.
+    /// A rail as a day leaves it that has come again and again, on a track of this azimuth.
+    ///
+    /// `base` is a temperature near that of the rail, K.
     ///
     /// # Errors
     /// When the days do not become alike.
@@ -91,7 +94,7 @@ impl Initial {
         day: &Day,
         base: f64,
     ) -> Result<Self, NeverSettles> {
-        let mut initial = Self::uniform(untouched, modes, base);
+        let mut initial = Self::uniform(untouched.surface().facets().len(), modes, base);
         let exchange = *untouched.exchange();
         let light = |weather: &Weather| {
             Light::new(outline, untouched.surface(), &exchange, weather, azimuth)

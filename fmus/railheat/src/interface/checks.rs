@@ -3,9 +3,8 @@
 use fmu::ModelError;
 
 use super::bounds::wrong;
-use super::heat::Heat;
-use super::shape::Shape;
 use crate::contact::Wheel;
+use crate::line::Line;
 use crate::weather::{BOUNDS, Weather};
 
 /// Refuses weather that there is not, within the bounds of a weather file.
@@ -60,18 +59,15 @@ pub(crate) fn wheel(wheel: &Wheel, name: &str) -> Result<(), ModelError> {
 }
 
 /// The element in which each probe lies.
-pub(crate) fn probe_elements(shape: &Shape, model: &Heat) -> Result<Vec<usize>, ModelError> {
-    let span = model.span();
+pub(crate) fn probe_elements(probes: &[f64], line: &Line) -> Result<Vec<usize>, ModelError> {
     let element = |&chainage: &f64| {
-        if (span.begin..span.end()).contains(&chainage) {
-            let place = ((chainage - span.begin) / span.element_length) as usize;
-            return Ok(place.min(span.elements - 1));
-        }
-        Err(ModelError::new(format!(
-            "probe at chainage_m = {chainage}: must lie on the modelled track from {} m to {} m",
-            span.begin,
-            span.end()
-        )))
+        line.element(chainage).ok_or_else(|| {
+            ModelError::new(format!(
+                "probe at chainage_m = {chainage}: must lie on the modelled track from {} m to {} m",
+                line.begin,
+                line.end()
+            ))
+        })
     };
-    shape.probes.iter().map(element).collect()
+    probes.iter().map(element).collect()
 }

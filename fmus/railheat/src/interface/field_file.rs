@@ -4,15 +4,15 @@ use std::path::Path;
 
 use field::{Attribute, Axes, FieldError, FieldWriter};
 
-use super::heat::Heat;
+use crate::heat_model::HeatModel;
 
 /// Slack in comparing times, s.
 const SAME_TIME: f64 = 1e-9;
 
-/// Writes a snapshot at the start and at the end of the first step that reaches each multiple of
-/// the interval.
+/// Writes a snapshot at the start and whenever another interval has passed.
 ///
-/// It is no part of the model's state: after an earlier state has been restored, nothing is
+/// A snapshot is written at the end of the first step that reaches a multiple of the interval.
+/// The file is no part of the model's state: after an earlier state has been restored, nothing is
 /// written until the time of the next snapshot comes.
 pub(crate) struct FieldFile {
     writer: FieldWriter,
@@ -29,18 +29,18 @@ impl FieldFile {
         path: &Path,
         interval: f64,
         start_time: f64,
-        model: &Heat,
+        model: &dyn HeatModel,
     ) -> Result<Self, FieldError> {
-        let span = model.span();
+        let line = model.line();
         let axes = Axes {
-            chainage: (0..span.elements).map(|element| span.chainage(element)).collect(),
+            chainage: (0..line.elements).map(|element| line.chainage(element)).collect(),
             depth: model.depths(),
         };
         let attributes = [
             ("title", Attribute::from("Temperature rise of a rail under a train")),
             ("model", Attribute::from(model.name())),
             ("initial_temperature_K", Attribute::from(model.initial_temperature())),
-            ("element_length_m", Attribute::from(span.element_length)),
+            ("element_length_m", Attribute::from(line.element_length)),
             ("cell_size_m", Attribute::from(2.0 * axes.depth[0])),
         ];
         let mut file = Self {
@@ -55,7 +55,11 @@ impl FieldFile {
     }
 
     /// Writes a snapshot if its time has come.
-    pub(crate) fn write_if_due(&mut self, time: f64, model: &Heat) -> Result<(), FieldError> {
+    pub(crate) fn write_if_due(
+        &mut self,
+        time: f64,
+        model: &dyn HeatModel,
+    ) -> Result<(), FieldError> {
         let passed = (time - self.start_time + SAME_TIME) / self.interval;
         if passed < self.next as f64 {
             return Ok(());

@@ -3,7 +3,7 @@
 //! | file | part |
 //! |---|---|
 //! | `rail_heat.rs` | initialisation and step |
-//! | `heat.rs` | the chosen model |
+//! | `chosen_model.rs` | the heat model that is chosen |
 //! | `shape.rs` | `railheat.toml`: the wheels and probes that shape the interface |
 //! | `parameters*.rs`, `signals*.rs` | the variables |
 //! | `bounds.rs` | what values parameters may have |
@@ -12,8 +12,8 @@
 
 mod bounds;
 mod checks;
+mod chosen_model;
 mod field_file;
-mod heat;
 mod parameters;
 mod parameters_energy;
 mod parameters_site;
@@ -23,7 +23,7 @@ mod signals;
 mod signals_energy;
 mod signals_inputs;
 
-pub use heat::State;
+pub use chosen_model::State;
 pub use rail_heat::RailHeat;
 pub use shape::{FILE_NAME, FileError, Shape};
 pub use signals::Signals;

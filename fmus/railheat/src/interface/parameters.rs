@@ -4,7 +4,8 @@ use fmu::{Boolean, Declaration, ModelError, Real, Text, Values, unit};
 
 use super::bounds::{not_negative, positive, share, whole, wrong};
 use crate::contact::{Friction, Material};
-use crate::paper::{self, Grid, Parameters, Surface};
+use crate::line::Line;
+use crate::paper::{Grid, Parameters, RunningSurface};
 use crate::weather::Weather;
 
 /// Most cells of the whole rail: 0.8 GB.
@@ -104,7 +105,7 @@ impl ParameterSignals {
             "surface.convection",
             unit::WATT_PER_SQUARE_METRE_KELVIN,
             "Heat transfer coefficient of the running surface to the air",
-            Surface::PAPER.convection,
+            RunningSurface::PAPER.convection,
         );
         let temperature = real(
             "initial.temperature",
@@ -125,17 +126,17 @@ impl ParameterSignals {
         let emissivity = share(
             "surface.emissivity",
             "Emissivity of the running surface",
-            Surface::PAPER.emissivity,
+            RunningSurface::PAPER.emissivity,
         );
         let absorptivity = share(
             "solar.absorptivity",
             "Share of the sunlight that the running surface absorbs",
-            Surface::PAPER.absorptivity,
+            RunningSurface::PAPER.absorptivity,
         );
         let filter = share(
             "solar.filter",
             "Share of solar.irradiance that arrives at the rail; 1 for an irradiance measured at the ground",
-            Surface::PAPER.filter,
+            RunningSurface::PAPER.filter,
         );
         let begin = declaration
             .real("track.begin", unit::METRE, "Chainage at which the modelled track begins")
@@ -195,7 +196,7 @@ impl ParameterSignals {
         depths: &[f64],
     ) -> Result<Parameters, ModelError> {
         let grid = self.grid(values)?;
-        let surface = Surface {
+        let surface = RunningSurface {
             convection: not_negative("surface.convection", values[self.convection])?,
             emissivity: share("surface.emissivity", values[self.emissivity])?,
             absorptivity: share("solar.absorptivity", values[self.absorptivity])?,
@@ -211,10 +212,7 @@ impl ParameterSignals {
                 partition: share("friction.partition", values[self.partition])?,
             },
             initial_temperature: if values[self.equilibrium] {
-                surface.equilibrium(&paper::Weather {
-                    ambient: weather.ambient,
-                    irradiance: weather.direct,
-                })
+                surface.equilibrium(weather)
             } else {
                 positive("initial.temperature", values[self.temperature])?
             },
@@ -248,9 +246,7 @@ impl ParameterSignals {
             return Err(wrong("track.begin", values[self.begin], "must be a finite number"));
         }
         Ok(Grid {
-            begin: values[self.begin],
-            element_length,
-            elements: elements as usize,
+            line: Line { begin: values[self.begin], element_length, elements: elements as usize },
             cell_size,
             cells: cells as usize,
         })

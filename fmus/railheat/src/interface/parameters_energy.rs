@@ -165,11 +165,11 @@ impl EnergyParameterSignals {
     pub(crate) fn read(
         &self,
         common: &ParameterSignals,
-        place: Place,
+        site: Site,
         values: &Values,
         depths: &[f64],
     ) -> Result<Parameters, ModelError> {
-        let Place { azimuth, ephemeris, shade, day, line } = place;
+        let Site { azimuth, ephemeris, shade, day, line } = site;
         let rail = RailFile::open(&values[self.rail]).map_err(ModelError::from_error)?;
         let outline = rail.outline();
         let of_section = outline.properties();
@@ -240,8 +240,8 @@ impl EnergyParameterSignals {
     }
 }
 
-/// What the parameters of place and time amount to.
-pub(crate) struct Place {
+/// What the parameters of site and time amount to.
+pub(crate) struct Site {
     pub line: Line,
     pub azimuth: Azimuth,
     pub ephemeris: Option<Ephemeris>,

@@ -1,4 +1,4 @@
-//! The FMU's parameters of place and time: where the track runs, where the sun stands, what day it is.
+//! The FMU's parameters of site and time: where the track runs, where the sun stands, what day it is.
 
 use std::path::Path;
 
@@ -122,12 +122,12 @@ impl SiteSignals {
             _ => return Ok(Azimuth::Constant(begin)),
         };
         let track = Track::from_file(file).map_err(ModelError::from_error)?;
-        let mut place = 0;
-        let direction = |element| begin + track.at(line.chainage(element), &mut place).heading;
+        let mut cached = 0;
+        let direction = |element| begin + track.at(line.chainage(element), &mut cached).heading;
         Ok(Azimuth::Along((0..line.elements).map(direction).collect()))
     }
 
-    /// The sun by place and time, if the parameters say when.
+    /// The sun by position and time, if the parameters say when.
     pub(crate) fn ephemeris(&self, values: &Values) -> Result<Option<Ephemeris>, ModelError> {
         if values[self.date_time].is_empty() {
             return Ok(None);

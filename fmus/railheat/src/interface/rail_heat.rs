@@ -6,21 +6,22 @@ use std::path::Path;
 use field::FieldError;
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
 
+use super::chosen_model::{ChosenModel, State};
 use super::field_file::FieldFile;
-use super::heat::{Heat, State};
-use super::parameters_energy::{self, Place};
+use super::parameters_energy::{self, Site};
 use super::shape::Shape;
 use super::signals::Signals;
 use super::{checks, parameters_site};
 use crate::contact::Wheel;
-use crate::energy::Energy;
+use crate::energy::EnergyModel;
+use crate::heat_model::HeatModel;
 use crate::line::Stray;
-use crate::paper::Paper;
+use crate::paper::PaperModel;
 use crate::weather::{Weather, WeatherFile};
 
 /// Heat in one rail from the wheels of a train.
 pub struct RailHeat {
-    model: Heat,
+    model: ChosenModel,
     /// The inputs of the present step.
     wheels: Vec<Wheel>,
     /// The element of each probe.
@@ -59,8 +60,8 @@ impl Model for RailHeat {
         let model = build(signals, values, &at)?;
         let wheels = vec![Wheel::default(); signals.wheels.len()];
         let rail_heat = Self {
-            probes: checks::probe_elements(&signals.shape, &model)?,
-            field: begin_field(signals, values, start_time, &model, log)?,
+            probes: checks::probe_elements(&signals.shape.probes, model.line())?,
+            field: begin_field(signals, values, start_time, &*model, log)?,
             weather: file,
             wheels,
             model,
@@ -120,13 +121,13 @@ impl RailHeat {
         values[outputs.highest_flash] = self.model.highest_flash();
         values[outputs.untouched] = self.model.untouched_surface();
         match &self.model {
-            Heat::Paper(model) => {
-                let energy = model.energy();
-                values[outputs.stored] = energy.stored;
-                values[outputs.imposed] = energy.imposed;
-                values[outputs.weather] = energy.weather;
+            ChosenModel::Paper(model) => {
+                let audit = model.audit();
+                values[outputs.stored] = audit.stored;
+                values[outputs.imposed] = audit.imposed;
+                values[outputs.weather] = audit.weather;
             }
-            Heat::Energy(model) => {
+            ChosenModel::Energy(model) => {
                 outputs.energy.write(model, &self.wheels, &self.probes, values);
                 values[outputs.stored] = model.ledger().stored;
                 values[outputs.weather] = model.ledger().sources.weather;
@@ -145,7 +146,7 @@ impl RailHeat {
         let Some(field) = &mut self.field else {
             return Ok(());
         };
-        let Err(error) = field.write_if_due(time, &self.model) else {
+        let Err(error) = field.write_if_due(time, &*self.model) else {
             return Ok(());
         };
         self.field = None;
@@ -153,14 +154,14 @@ impl RailHeat {
     }
 
     fn sentence(&self, signals: &Signals, stray: Stray, time: f64) -> String {
-        let span = self.model.span();
+        let line = self.model.line();
         format!(
             "{} is at chainage {:.1} m at {time:.3} s, outside the modelled track from {} m to {} m; \
              wheels heat nothing there (told once)",
             signals.wheels[stray.wheel].name,
             stray.position,
-            span.begin,
-            span.end()
+            line.begin,
+            line.end()
         )
     }
 }
@@ -174,20 +175,26 @@ struct Beginning<'b> {
 }
 
 /// The model that the parameters choose, at its start.
-fn build(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Heat, ModelError> {
+fn build(
+    signals: &Signals,
+    values: &Values,
+    at: &Beginning<'_>,
+) -> Result<ChosenModel, ModelError> {
     let Shape { wheelsets, depths, .. } = &signals.shape;
     match values[signals.parameters.model].as_str() {
         "paper" => {
             let parameters = signals.parameters.read(values, at.weather, depths)?;
-            let paper = Paper::new(parameters, signals.wheels.len(), at.time);
-            paper.map(|paper| Heat::Paper(Box::new(paper))).map_err(ModelError::from_error)
+            let paper = PaperModel::new(parameters, signals.wheels.len(), at.time);
+            paper.map(|paper| ChosenModel::Paper(Box::new(paper))).map_err(ModelError::from_error)
         }
         "energy" => {
-            let place = place(signals, values, at)?;
+            let site = site(signals, values, at)?;
             let parameters =
-                signals.parameters_energy.read(&signals.parameters, place, values, depths)?;
-            let energy = Energy::new(parameters, wheelsets, at.weather, at.time);
-            energy.map(|energy| Heat::Energy(Box::new(energy))).map_err(ModelError::from_error)
+                signals.parameters_energy.read(&signals.parameters, site, values, depths)?;
+            let energy = EnergyModel::new(parameters, wheelsets, at.weather, at.time);
+            energy
+                .map(|energy| ChosenModel::Energy(Box::new(energy)))
+                .map_err(ModelError::from_error)
         }
         other => {
             let sentence = format!("model = \"{other}\": must be \"paper\" or \"energy\"");
@@ -197,7 +204,7 @@ fn build(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Heat,
 }
 
 /// Where the track runs, where the sun stands and what day it is.
-fn place(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Place, ModelError> {
+fn site(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Site, ModelError> {
     let site = &signals.site;
     let line = parameters_energy::line(&signals.parameters, values)?;
     let ephemeris = site.ephemeris(values)?;
@@ -211,7 +218,7 @@ fn place(signals: &Signals, values: &Values, at: &Beginning<'_>) -> Result<Place
         true => Some(parameters_site::day(weather, ephemeris.as_ref(), at.time)?),
         false => None,
     };
-    Ok(Place {
+    Ok(Site {
         azimuth: site.azimuth(values, at.resources, &line)?,
         shade: site.body(values)?,
         ephemeris,
@@ -249,7 +256,7 @@ fn begin_field(
     signals: &Signals,
     values: &Values,
     start_time: f64,
-    model: &Heat,
+    model: &dyn HeatModel,
     log: &mut Log,
 ) -> Result<Option<FieldFile>, ModelError> {
     let path = &values[signals.parameters.field_file];

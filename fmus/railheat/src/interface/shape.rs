@@ -42,7 +42,7 @@ pub enum FileError {
     Value {
         /// File name.
         file: String,
-        /// Key with its place, counted from one.
+        /// Key with its number, counted from one.
         key: String,
         /// Value found.
         value: f64,
@@ -101,11 +101,11 @@ impl Shape {
             file: name.to_owned(),
             source: Box::new(source),
         })?;
-        for (place, depth) in content.depths_mm.iter().enumerate() {
-            check(name, format!("depths_mm[{}]", place + 1), *depth, *depth > 0.0)?;
+        for (index, depth) in content.depths_mm.iter().enumerate() {
+            check(name, format!("depths_mm[{}]", index + 1), *depth, *depth > 0.0)?;
         }
-        for (place, probe) in content.probe.iter().enumerate() {
-            check(name, format!("probe[{}].chainage_m", place + 1), probe.chainage_m, true)?;
+        for (index, probe) in content.probe.iter().enumerate() {
+            check(name, format!("probe[{}].chainage_m", index + 1), probe.chainage_m, true)?;
         }
         Ok(Self {
             wheelsets: content.wheelsets_per_vehicle,

@@ -4,7 +4,8 @@ use fmu::{Declaration, Real, Values, unit};
 
 use super::shape::Shape;
 use crate::contact::{MEAN_OVER_PEAK, Wheel};
-use crate::energy::{Energy, Finding, Sources};
+use crate::energy::{EnergyModel, Finding, Sources};
+use crate::heat_model::HeatModel;
 
 /// Value of a time or place that there is not yet.
 const NOT_YET: f64 = -1.0;
@@ -105,7 +106,7 @@ impl EnergyOutputSignals {
 
     pub(crate) fn write(
         &self,
-        model: &Energy,
+        model: &EnergyModel,
         wheels: &[Wheel],
         probes: &[usize],
         values: &mut Values,

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// [`imposed`](Self::imposed) plus [`weather`](Self::weather) but for rounding;
 /// [`error`](Self::error) tells how well. Validated by `property_energy_is_accounted_for`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Energy {
+pub struct Audit {
     /// Heat in the rail above the initial state, summed over all cells.
     pub stored: f64,
     /// Heat that came in because wheels set surface temperatures.
@@ -17,7 +17,7 @@ pub struct Energy {
     pub weather: f64,
 }
 
-impl Energy {
+impl Audit {
     /// Heat that is stored but did not come in, J.
     pub fn error(&self) -> f64 {
         self.stored - self.imposed - self.weather

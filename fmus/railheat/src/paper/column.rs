@@ -53,8 +53,9 @@ pub fn fourier_number(material: &Material, interval: f64, cell_size: f64) -> Res
     })
 }
 
-/// Takes a block of columns over one step; `cells` has the depths one after the other, each with
-/// [`LANES`] columns. Gives the sum over the depth of each column.
+/// Takes a block of columns over one step and gives the sum over the depth of each.
+///
+/// `cells` has the depths one after the other, each with [`LANES`] columns.
 pub fn conduct(cells: &mut [f64], number: f64) -> [f64; LANES] {
     let (mut rows, _) = cells.as_chunks_mut::<LANES>();
     let mut inflow = [0.0; LANES];

@@ -3,7 +3,6 @@
 //! | file | part |
 //! |---|---|
 //! | `model.rs` | what happens in which order |
-//! | `passed.rs` | which elements a wheel passes in a step |
 //! | `rail.rs` | all elements: grid, untouched rail, readings |
 //! | `column.rs` | heat conduction over the depth |
 //! | `running_surface.rs` | heat exchanged with the weather |
@@ -12,13 +11,11 @@
 mod audit;
 mod column;
 mod model;
-mod passed;
 mod rail;
 mod running_surface;
 
-pub use audit::Energy;
+pub use audit::Audit;
 pub use column::{LANES, Unstable, conduct, fourier_number};
-pub use model::{Paper, Parameters, State};
-pub use passed::passed;
-pub use rail::{Exchange, Grid, Level, Rail, Sums};
-pub use running_surface::{Surface, Weather};
+pub use model::{PaperModel, Parameters, State};
+pub use rail::{Grid, Level, Rail, Sums, SurfaceStep};
+pub use running_surface::RunningSurface;

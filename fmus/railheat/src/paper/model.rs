@@ -11,13 +11,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::audit::Energy;
+use super::audit::Audit;
 use super::column::{Unstable, fourier_number};
-use super::passed::passed;
-use super::rail::{Exchange, Grid, Level, Rail};
-use super::running_surface::{Surface, Weather};
+use super::rail::{Grid, Level, Rail, SurfaceStep};
+use super::running_surface::RunningSurface;
 use crate::contact::{Friction, Material, Wheel};
-use crate::line::{Highest, Stray};
+use crate::heat_model::HeatModel;
+use crate::line::{Highest, Line, Stray};
+use crate::weather::Weather;
 
 /// Slack in comparing times, s: steps are sums of rounded numbers.
 const SAME_TIME: f64 = 1e-9;
@@ -36,7 +37,7 @@ pub struct Parameters {
     /// Friction of the wheels.
     pub friction: Friction,
     /// Running surface.
-    pub surface: Surface,
+    pub surface: RunningSurface,
     /// Temperature of the whole rail at the start, K.
     pub initial_temperature: f64,
     /// Depths at which the highest rise is looked for besides surface and foot, m.
@@ -51,20 +52,20 @@ pub struct State {
     conducted: u64,
     /// Where each wheel was at the end of the last step, m.
     positions: Vec<Option<f64>>,
-    energy: Energy,
+    audit: Audit,
     highest: Vec<Highest>,
     highest_flash: f64,
-    /// Whether a stray wheel has been told of.
-    stray_told: bool,
+    /// Whether a warning of a stray wheel has been given.
+    stray_warned: bool,
 }
 
 /// The paper's model of one rail.
-pub struct Paper {
+pub struct PaperModel {
     parameters: Parameters,
     start_time: f64,
     /// s of eq. 1.
     number: f64,
-    /// Surface, the parameters' depths, foot.
+    /// RunningSurface, the parameters' depths, foot.
     levels: Vec<Level>,
     /// Heat of a cell that rises by 1 K, J/K.
     cell_capacity: f64,
@@ -73,7 +74,7 @@ pub struct Paper {
     state: State,
 }
 
-impl Paper {
+impl PaperModel {
     /// A rail at its initial temperature, with this many wheels.
     ///
     /// # Errors
@@ -81,20 +82,20 @@ impl Paper {
     pub fn new(parameters: Parameters, wheels: usize, start_time: f64) -> Result<Self, Unstable> {
         let Parameters { grid, material, .. } = &parameters;
         let number = fourier_number(material, parameters.conduction_interval, grid.cell_size)?;
-        let volume = grid.cell_size * parameters.width * grid.element_length;
+        let volume = grid.cell_size * parameters.width * grid.line.element_length;
         let rail = Rail::new(grid);
         let levels: Vec<Level> = std::iter::once(Level::SURFACE)
             .chain(parameters.depths.iter().map(|depth| Level::at_depth(grid, *depth)))
             .chain([Level::foot(grid)])
             .collect();
-        let nowhere = Highest { rise: 0.0, chainage: grid.chainage(0) };
+        let nowhere = Highest { rise: 0.0, chainage: grid.line.chainage(0) };
         let state = State {
             conducted: 0,
             positions: vec![None; wheels],
-            energy: Energy::default(),
+            audit: Audit::default(),
             highest: vec![nowhere; levels.len()],
             highest_flash: 0.0,
-            stray_told: false,
+            stray_warned: false,
             rail,
         };
         Ok(Self {
@@ -106,44 +107,6 @@ impl Paper {
             parameters,
             state,
         })
-    }
-
-    /// One step with the wheels as they are at its end and the weather meanwhile. Before the
-    /// first step a wheel is taken to have come with its speed.
-    ///
-    /// The first wheel that stands outside the modelled track is told of, once in a run; the
-    /// rail feels the wheels only while they are on it.
-    pub fn step(
-        &mut self,
-        wheels: &[Wheel],
-        weather: &Weather,
-        start: f64,
-        length: f64,
-    ) -> Option<Stray> {
-        self.begin(wheels, length);
-        let mut done = 0.0;
-        loop {
-            let next = self.next_conduction();
-            if next > start + length + SAME_TIME {
-                break;
-            }
-            // An interval that ends with the step must not, by rounding of the time, leave a rest
-            // of it, in which the wheels would heat again what they have just passed.
-            let share = match next > start + length - SAME_TIME {
-                true => 1.0,
-                false => ((next - start) / length).clamp(done, 1.0),
-            };
-            self.pass(wheels, done, share);
-            self.conduct(weather);
-            done = share;
-        }
-        if done < 1.0 {
-            self.pass(wheels, done, 1.0);
-        }
-        for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
-            *position = wheel.place();
-        }
-        self.stray(wheels)
     }
 
     /// Computes the flash rise of each wheel, and where new wheels came from.
@@ -175,11 +138,11 @@ impl Paper {
             };
             let at = |share: f64| begin + share * (wheel.position - begin);
             let end = if to < 1.0 { at(to) } else { wheel.position };
-            for element in passed(grid, at(from), end).into_iter().flatten() {
+            for element in grid.line.passed(at(from), end).into_iter().flatten() {
                 let heated = self.state.rail.heat_surface(element, untouched + flash);
                 if heated > 0.0 {
                     self.state.note_heated(heated * self.cell_capacity);
-                    self.state.note_surface(untouched + flash, || grid.chainage(element));
+                    self.state.note_surface(untouched + flash, || grid.line.chainage(element));
                 }
             }
         }
@@ -188,7 +151,7 @@ impl Paper {
     /// Weather and conduction over one interval.
     fn conduct(&mut self, weather: &Weather) {
         let Parameters { grid, material, surface, .. } = &self.parameters;
-        let exchange = Exchange {
+        let exchange = SurfaceStep {
             surface,
             weather,
             initial: self.parameters.initial_temperature,
@@ -197,23 +160,9 @@ impl Paper {
         };
         let state = &mut self.state;
         let sums = state.rail.step(grid, &exchange, self.number, &self.levels, &mut state.highest);
-        state.energy.stored = self.cell_capacity * sums.stored;
-        state.energy.weather += self.cell_capacity * sums.weather;
+        state.audit.stored = self.cell_capacity * sums.stored;
+        state.audit.weather += self.cell_capacity * sums.weather;
         state.conducted += 1;
-    }
-
-    /// The first wheel that is outside the modelled track, if none was told of before.
-    fn stray(&mut self, wheels: &[Wheel]) -> Option<Stray> {
-        if self.state.stray_told {
-            return None;
-        }
-        let grid = &self.parameters.grid;
-        let on_track = grid.begin..grid.end();
-        let is_stray =
-            |wheel: &Wheel| wheel.contact.normal_force > 0.0 && !on_track.contains(&wheel.position);
-        let wheel = wheels.iter().position(is_stray)?;
-        self.state.stray_told = true;
-        Some(Stray { wheel, position: wheels[wheel].position })
     }
 
     /// The model's constants.
@@ -227,29 +176,8 @@ impl Paper {
     }
 
     /// Where the heat came from and where it is.
-    pub fn energy(&self) -> Energy {
-        self.state.energy
-    }
-
-    /// Where [`highest`](Self::highest) looks: surface, the parameters' depths, foot.
-    pub fn levels(&self) -> &[Level] {
-        &self.levels
-    }
-
-    /// The highest rise at each level.
-    pub fn highest(&self) -> &[Highest] {
-        &self.state.highest
-    }
-
-    /// The highest flash rise of any wheel in the last step, K.
-    pub fn highest_flash(&self) -> f64 {
-        self.state.highest_flash
-    }
-
-    /// Heat above the initial state per metre of rail at an element, J/m.
-    pub fn heat_per_metre(&self, element: usize) -> f64 {
-        let of_element = self.state.rail.sum(element) * self.cell_capacity;
-        of_element / self.parameters.grid.element_length
+    pub fn audit(&self) -> Audit {
+        self.state.audit
     }
 
     /// All that changes, for saving.
@@ -263,11 +191,93 @@ impl Paper {
     }
 }
 
+impl HeatModel for PaperModel {
+    fn name(&self) -> &'static str {
+        "paper"
+    }
+
+    fn step(
+        &mut self,
+        wheels: &[Wheel],
+        weather: &Weather,
+        start: f64,
+        length: f64,
+    ) -> Option<Stray> {
+        self.begin(wheels, length);
+        let mut done = 0.0;
+        loop {
+            let next = self.next_conduction();
+            if next > start + length + SAME_TIME {
+                break;
+            }
+            // An interval that ends with the step must not, by rounding of the time, leave a rest
+            // of it, in which the wheels would heat again what they have just passed.
+            let share = match next > start + length - SAME_TIME {
+                true => 1.0,
+                false => ((next - start) / length).clamp(done, 1.0),
+            };
+            self.pass(wheels, done, share);
+            self.conduct(weather);
+            done = share;
+        }
+        if done < 1.0 {
+            self.pass(wheels, done, 1.0);
+        }
+        for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
+            *position = wheel.present_position();
+        }
+        if self.state.stray_warned {
+            return None;
+        }
+        let stray = self.parameters.grid.line.first_stray(wheels);
+        self.state.stray_warned = stray.is_some();
+        stray
+    }
+
+    fn line(&self) -> &Line {
+        &self.parameters.grid.line
+    }
+
+    fn initial_temperature(&self) -> f64 {
+        self.parameters.initial_temperature
+    }
+
+    fn depths(&self) -> Vec<f64> {
+        let grid = &self.parameters.grid;
+        (0..grid.cells).map(|cell| grid.depth(cell)).collect()
+    }
+
+    fn snapshot(&self, values: &mut [f32]) {
+        self.state.rail.snapshot(&self.parameters.grid, values);
+    }
+
+    fn rise(&self, element: usize, level: usize) -> f64 {
+        self.state.rail.rise(element, &self.levels[level])
+    }
+
+    fn highest(&self) -> &[Highest] {
+        &self.state.highest
+    }
+
+    fn highest_flash(&self) -> f64 {
+        self.state.highest_flash
+    }
+
+    fn untouched_surface(&self) -> f64 {
+        self.state.rail.untouched_surface()
+    }
+
+    fn heat_per_metre(&self, element: usize) -> f64 {
+        let of_element = self.state.rail.sum(element) * self.cell_capacity;
+        of_element / self.parameters.grid.line.element_length
+    }
+}
+
 impl State {
     /// Adds the heat in J that a wheel put in.
     fn note_heated(&mut self, heat: f64) {
-        self.energy.imposed += heat;
-        self.energy.stored += heat;
+        self.audit.imposed += heat;
+        self.audit.stored += heat;
     }
 
     /// A surface has been heated to `rise`: keeps the highest up to date between conduction steps.

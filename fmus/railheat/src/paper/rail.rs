@@ -7,18 +7,15 @@
 use serde::{Deserialize, Serialize};
 
 use super::column::{self, LANES};
-use super::running_surface::{Surface, Weather};
-use crate::line::Highest;
+use super::running_surface::RunningSurface;
+use crate::line::{Highest, Line};
+use crate::weather::Weather;
 
-/// How the rail is cut.
+/// How the rail is cut along the track and over its depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
-    /// Chainage at which the first element begins, m.
-    pub begin: f64,
-    /// Length of an element along the track, m.
-    pub element_length: f64,
-    /// Number of elements.
-    pub elements: usize,
+    /// Elements along the track.
+    pub line: Line,
     /// Size of a cell over the depth, m.
     pub cell_size: f64,
     /// Number of cells of a column.
@@ -26,16 +23,6 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Chainage at which the last element ends, m.
-    pub fn end(&self) -> f64 {
-        self.begin + self.elements as f64 * self.element_length
-    }
-
-    /// Chainage of the middle of an element, m.
-    pub fn chainage(&self, element: usize) -> f64 {
-        self.begin + (element as f64 + 0.5) * self.element_length
-    }
-
     /// Depth of the middle of a cell, m.
     pub fn depth(&self, cell: usize) -> f64 {
         (cell as f64 + 0.5) * self.cell_size
@@ -43,12 +30,12 @@ impl Grid {
 
     /// Number of blocks; the last one may have columns beyond the end, which no wheel touches.
     fn blocks(&self) -> usize {
-        self.elements.div_ceil(LANES)
+        self.line.elements.div_ceil(LANES)
     }
 
     /// Number of columns of a block that are part of the rail.
     fn columns(&self, block: usize) -> usize {
-        LANES.min(self.elements - block * LANES)
+        LANES.min(self.line.elements - block * LANES)
     }
 }
 
@@ -72,9 +59,9 @@ impl Level {
     /// A depth in m; above the first middle of a cell the surface, below the last one the foot.
     pub fn at_depth(grid: &Grid, depth: f64) -> Self {
         let last = grid.cells - 1;
-        let place = (depth / grid.cell_size - 0.5).clamp(0.0, last as f64);
-        let above = place as usize;
-        Self { above, below: (above + 1).min(last), share: place - above as f64 }
+        let position = (depth / grid.cell_size - 0.5).clamp(0.0, last as f64);
+        let above = position as usize;
+        Self { above, below: (above + 1).min(last), share: position - above as f64 }
     }
 
     /// The rise where `cell` gives that of each cell.
@@ -84,7 +71,7 @@ impl Level {
         above + self.share * (cell(self.below) - above)
     }
 
-    /// The highest rise of a block's first `columns` and its place, if it is over `limit`.
+    /// The highest rise of a block's first `columns` and its lane, if it is over `limit`.
     fn higher(&self, cells: &[f64], columns: usize, limit: f64) -> Option<(usize, f64)> {
         let rise = |lane: usize| self.read(|cell| cells[cell * LANES + lane]);
         // Eight at a time, which the compiler makes vector instructions of.
@@ -119,9 +106,9 @@ impl Sums {
 }
 
 /// What the weather does to a surface cell in one step.
-pub struct Exchange<'w> {
+pub struct SurfaceStep<'w> {
     /// The surface.
-    pub surface: &'w Surface,
+    pub surface: &'w RunningSurface,
     /// The weather.
     pub weather: &'w Weather,
     /// Initial temperature of the rail, K.
@@ -130,7 +117,7 @@ pub struct Exchange<'w> {
     pub rise_per_flux: f64,
 }
 
-impl Exchange<'_> {
+impl SurfaceStep<'_> {
     /// Change in one step of a surface cell that has risen by `rise`, K.
     #[inline]
     pub fn change(&self, rise: f64) -> f64 {
@@ -188,7 +175,7 @@ impl Rail {
     pub fn step(
         &mut self,
         grid: &Grid,
-        exchange: &Exchange<'_>,
+        exchange: &SurfaceStep<'_>,
         number: f64,
         levels: &[Level],
         highest: &mut [Highest],
@@ -208,7 +195,7 @@ impl Rail {
             };
             for (highest, level) in highest.iter_mut().zip(levels) {
                 if let Some((lane, rise)) = level.higher(cells, columns, highest.rise) {
-                    let chainage = grid.chainage(block * LANES + lane);
+                    let chainage = grid.line.chainage(block * LANES + lane);
                     *highest = Highest { rise, chainage };
                 }
             }
@@ -246,7 +233,7 @@ impl Rail {
 }
 
 /// One step of a block, of which the first `columns` count in the sums.
-fn step_block(cells: &mut [f64], exchange: &Exchange<'_>, number: f64, columns: usize) -> Sums {
+fn step_block(cells: &mut [f64], exchange: &SurfaceStep<'_>, number: f64, columns: usize) -> Sums {
     let mut change = [0.0; LANES];
     let (surface, _) = cells.split_at_mut(LANES);
     for lane in 0..LANES {

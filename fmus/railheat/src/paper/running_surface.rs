@@ -9,32 +9,22 @@
 //! per area of the running surface, positive into the rail. The sky is as warm as the air; wind,
 //! and where the sun stands, have no influence. Validated by `analytic_weather_equilibrium`.
 
-/// Stefan-Boltzmann constant σ, W/(m²·K⁴) (CODATA 2018).
-const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
-
-/// The weather as far as the paper's model sees it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Weather {
-    /// Temperature of the air T_a, K.
-    pub ambient: f64,
-    /// Irradiance of the sun before the filter I, W/m².
-    pub irradiance: f64,
-}
+use crate::weather::{STEFAN_BOLTZMANN, Weather};
 
 /// How the running surface exchanges heat.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surface {
+pub struct RunningSurface {
     /// Heat transfer coefficient to the air h, W/(m²·K).
     pub convection: f64,
     /// Emissivity ε_r.
     pub emissivity: f64,
     /// Share of the sunlight that is absorbed a_s.
     pub absorptivity: f64,
-    /// Share of the irradiance that the atmosphere lets through f.
+    /// Share of the direct irradiance that the atmosphere lets through f.
     pub filter: f64,
 }
 
-impl Surface {
+impl RunningSurface {
     /// Table 4 of the paper.
     pub const PAPER: Self =
         Self { convection: 6.0, emissivity: 0.75, absorptivity: 0.75, filter: 0.5 };
@@ -44,7 +34,7 @@ impl Surface {
     pub fn flux(&self, temperature: f64, weather: &Weather) -> f64 {
         let fourth = |t: f64| (t * t) * (t * t);
         let radiated = self.emissivity * STEFAN_BOLTZMANN;
-        self.absorptivity * self.filter * weather.irradiance
+        self.absorptivity * self.filter * weather.direct
             - self.convection * (temperature - weather.ambient)
             - radiated * (fourth(temperature) - fourth(weather.ambient))
     }
@@ -54,9 +44,9 @@ impl Surface {
         self.convection + 4.0 * self.emissivity * STEFAN_BOLTZMANN * temperature.powi(3)
     }
 
-    /// Temperature in K at which nothing flows, by Newton's method; the flux falls with the
-    /// temperature and is concave, so that the method always converges.
+    /// Temperature at which nothing flows, K, by Newton's method.
     ///
+    /// The flux falls with the temperature and is concave, so that the method always converges.
     /// Without convection and radiation there is no such temperature: the ambient one is given.
     pub fn equilibrium(&self, weather: &Weather) -> f64 {
         let mut temperature = weather.ambient;

@@ -1,6 +1,6 @@
 //! Where on the head a contact's heat goes.
 //!
-//! The heat of a contact of half width b at the lateral place y spreads over the running surface
+//! The heat of a contact of half width b at the lateral position y spreads over the running surface
 //! as full slip in a Hertz contact does. Summed along the rail, the semi-ellipsoid of the flux is
 //! a parabola, 1-(s/b)², whose share left of s is (theory eq. 17)
 //!
@@ -10,11 +10,9 @@
 //!
 //! A band that would reach beyond the running surface is moved inwards, so that no heat is lost.
 
-use super::cells::{Cells, Facet};
+use super::cells::Cells;
 use super::modes::Modes;
-
-/// Depth to which the head's surface counts as running surface, m: to the gauge point.
-const RUNNING_DEPTH: f64 = 0.016;
+use super::running_surface::running_surface;
 
 /// The running surface: strips from left to right, a cell behind each.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +27,7 @@ pub struct Crown {
 impl Crown {
     /// The running surface of a section.
     pub fn new(cells: &Cells, modes: &Modes) -> Self {
-        let upwards = |facet: &&Facet| facet.normal.z < 0.0 && facet.middle().z < RUNNING_DEPTH;
-        let mut facets: Vec<&Facet> = cells.facets.iter().filter(upwards).collect();
+        let mut facets = running_surface(&cells.facets);
         facets.sort_by(|a, b| a.middle().y.total_cmp(&b.middle().y));
         let mut crown = Self { ends: vec![], shapes: vec![], width: modes.even_width() };
         let mut last = usize::MAX;
@@ -60,7 +57,7 @@ impl Crown {
         &self.shapes[strip * self.width..][..self.width]
     }
 
-    /// The strips that a band of this lateral place and half width, m, covers, with their share of its heat.
+    /// The strips that a band covers, with their share of its heat; lateral position and half width in m.
     pub fn shares(&self, lateral: f64, half_width: f64) -> impl Iterator<Item = (usize, f64)> + '_ {
         let (left, right) = (self.ends[0], self.ends[self.ends.len() - 1]);
         let half_width = half_width.min(0.5 * (right - left));

@@ -1,11 +1,10 @@
-//! Where in the section the rise is read: on its middle line, linear between the middles of rows; at the foot on
-//! its underside.
+//! Where in the section the rise is read.
+//!
+//! It is read on the middle line, linear between the middles of rows; at the foot on its underside.
 
-use super::cells::{Cells, Facet};
+use super::cells::{Cell, Cells};
 use super::modes::Modes;
-
-/// Half width of the band on the crown over which the surface is read, m.
-const BAND: f64 = 0.015;
+use super::running_surface::crown_band;
 
 /// Rows of shapes: a product with an element's amplitudes is the rise, K.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,9 +28,9 @@ impl Readings {
             middles[row].iter().map(move |(cell, part)| (*cell, part * weight))
         };
         let at_depth = |depth: &f64| {
-            let place = (depth / step - 0.5).clamp(0.0, last as f64);
-            let above = place as usize;
-            let share = place - above as f64;
+            let position = (depth / step - 0.5).clamp(0.0, last as f64);
+            let above = position as usize;
+            let share = position - above as f64;
             modes.weighted(mix(above, 1.0 - share).chain(mix((above + 1).min(last), share)))
         };
         // On a parabola through the last two rows that is level at the underside, where next to nothing flows.
@@ -49,22 +48,24 @@ impl Readings {
 }
 
 /// The cells of a row nearest to the middle line, with equal weights.
+///
+/// Where all of a row was merged into its neighbours, those of the nearest row that has cells.
 fn middle_of_row(cells: &Cells, row: usize) -> Vec<(usize, f64)> {
-    let in_row = || cells.cells.iter().enumerate().filter(|(_, cell)| cell.row == row);
+    let cells = &cells.cells;
+    let from_row = |cell: &Cell| cell.row.abs_diff(row);
+    let nearest_row = cells.iter().map(from_row).min().unwrap_or(0);
+    let in_row = || cells.iter().enumerate().filter(|(_, cell)| from_row(cell) == nearest_row);
     let distance = in_row().map(|(_, cell)| cell.middle.y.abs()).fold(f64::INFINITY, f64::min);
     let nearest: Vec<usize> = in_row()
         .filter(|(_, cell)| cell.middle.y.abs() <= distance + 1e-9)
-        .map(|(place, _)| place)
+        .map(|(cell, _)| cell)
         .collect();
-    nearest.iter().map(|place| (*place, 1.0 / nearest.len() as f64)).collect()
+    nearest.iter().map(|cell| (*cell, 1.0 / nearest.len() as f64)).collect()
 }
 
 /// The cells of the crown's middle band with their shares.
 fn crown(cells: &Cells) -> Vec<(usize, f64)> {
-    let on_band = |facet: &&Facet| {
-        facet.normal.z < 0.0 && facet.middle().y.abs() < BAND && facet.middle().z < 0.016
-    };
-    let facets: Vec<_> = cells.facets.iter().filter(on_band).collect();
+    let facets = crown_band(&cells.facets);
     let length: f64 = facets.iter().map(|facet| facet.length).sum();
     facets.iter().map(|facet| (facet.cell, facet.length / length)).collect()
 }

@@ -1,4 +1,4 @@
-//! Where the sun stands, by place, date and time.
+//! Where the sun stands, by position on Earth, date and time.
 //!
 //! The solar position algorithm of Reda and Andreas, *Solar Energy* 76 (2004) 577-589 (0.0003°), by
 //! the crate `solar-positioning`. Refraction is left out: it lifts the sun by half a degree at the horizon,
@@ -12,7 +12,7 @@ use super::sun::Sun;
 
 const SECONDS_PER_DAY: f64 = 86_400.0;
 
-/// Place and time cannot be used.
+/// Position on Earth and time cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum EphemerisError {
     /// Not a date and time.
@@ -26,12 +26,12 @@ pub enum EphemerisError {
         /// Reason.
         source: chrono::ParseError,
     },
-    /// Not a place on Earth, or a year without known orbit.
+    /// Not a position on Earth, or a year without known orbit.
     #[error(
         "site.latitude = {latitude}°, site.longitude = {longitude}°, site.date_time = \"{text}\": \
          {source}"
     )]
-    Place {
+    Position {
         /// Latitude, degrees.
         latitude: f64,
         /// Longitude, degrees.
@@ -43,7 +43,7 @@ pub enum EphemerisError {
     },
 }
 
-/// The sun at one place.
+/// The sun seen from one position on Earth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ephemeris {
     location: Location,
@@ -53,32 +53,33 @@ pub struct Ephemeris {
 }
 
 impl Ephemeris {
-    /// The sun at a latitude (north positive) and longitude (east positive) in rad; the time zero is
-    /// at `date_time`, as RFC 3339 writes it.
+    /// The sun at a latitude (north positive) and longitude (east positive) in rad.
+    ///
+    /// The time zero is at `date_time`, as RFC 3339 writes it.
     ///
     /// # Errors
-    /// When place or time cannot be.
+    /// When position or time cannot be.
     pub fn new(date_time: &str, latitude: f64, longitude: f64) -> Result<Self, EphemerisError> {
         let instant = DateTime::parse_from_rfc3339(date_time)
             .map_err(|source| EphemerisError::DateTime { text: date_time.to_owned(), source })?;
         let location =
             Location { latitude: latitude.to_degrees(), longitude: longitude.to_degrees() };
-        let place = |source| EphemerisError::Place {
+        let refused = |source| EphemerisError::Position {
             latitude: location.latitude,
             longitude: location.longitude,
             text: date_time.to_owned(),
             source,
         };
-        let delta_t = delta_t::estimate_from_date_like(&instant).map_err(place)?;
-        let zero = JulianDate::from_datetime(&instant, delta_t).map_err(place)?.julian_date();
+        let delta_t = delta_t::estimate_from_date_like(&instant).map_err(refused)?;
+        let zero = JulianDate::from_datetime(&instant, delta_t).map_err(refused)?.julian_date();
         let ephemeris = Self { location, zero, delta_t };
-        ephemeris.position(0.0).map_err(place)?;
+        ephemeris.position(0.0).map_err(refused)?;
         Ok(ephemeris)
     }
 
     /// Where the sun stands at a time in s.
     pub fn at(&self, time: f64) -> Sun {
-        // Place and date were checked at the start; a run does not leave the years of the algorithm.
+        // Position and date were checked at the start; a run does not leave the years of the algorithm.
         self.position(time).unwrap_or_default()
     }
 

@@ -35,8 +35,9 @@ pub struct Exchange {
 }
 
 impl Exchange {
-    /// A rusty rail in still air under a sky as warm as the air, insulated from the pad; convection and
-    /// radiation are those of the paper's Table 4.
+    /// A rusty rail in still air under a sky as warm as the air, insulated from the pad.
+    ///
+    /// Convection and radiation are those of the paper's Table 4.
     pub const TYPICAL: Self = Self {
         convection: 6.0,
         emissivity: 0.75,
@@ -137,8 +138,9 @@ impl Surface {
             + exchange.emissivity * STEFAN_BOLTZMANN * (seen - fourth(temperature))
     }
 
-    /// The temperature in K at which a rail of one temperature gives off what it gets, by
-    /// Newton's method; that of the air when nothing is exchanged.
+    /// The temperature at which a rail of one temperature gives off what it gets, K.
+    ///
+    /// Newton's method finds it; without any exchange it is that of the air.
     pub fn balance(&self, exchange: &Exchange, weather: &Weather, absorbed: &[f64]) -> f64 {
         let mut temperature = weather.ambient;
         for _ in 0..50 {

@@ -9,7 +9,7 @@
 //! The last two columns may be left out where `site.date_time` says when it is, and are not looked at there.
 //!
 //! Times are those of the simulation. A run that is not covered is refused at the start of it, or where the
-//! simulation tool does not say when it will stop, told of when it gets there; nothing is made up outside the file.
+//! simulation tool does not say when it will stop, refused when it gets there; nothing is made up outside the file.
 
 use std::path::Path;
 
@@ -112,13 +112,13 @@ impl WeatherFile {
         }
         let names = &names[..if has_sun { names.len() } else { WITHOUT_SUN }];
         let mut file = Self { name: name.to_owned(), has_sun, times: vec![], rows: vec![] };
-        for (place, line) in lines {
-            let (time, row) = values(line, names).map_err(|what| wrong(place, what))?;
+        for (index, line) in lines {
+            let (time, row) = values(line, names).map_err(|what| wrong(index, what))?;
             let last = file.times.last().copied();
             if let Some(last) = last.filter(|last| time - last <= 0.0 || time - last > LONGEST_GAP)
             {
                 return Err(wrong(
-                    place,
+                    index,
                     format!(
                         "time_s = {time} after {last}: must rise, and by {LONGEST_GAP} s at most; a \
                      longer gap must be filled"

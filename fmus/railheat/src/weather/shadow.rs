@@ -17,7 +17,7 @@ pub struct Body {
     pub floor: f64,
     /// Height of its roof above the rail, m.
     pub roof: f64,
-    /// Place of the rail to the right of the track's middle, m.
+    /// Lateral position of the rail, to the right of the track's middle, m.
     pub rail: f64,
 }
 
@@ -25,8 +25,9 @@ impl Body {
     /// A wagon of usual size above the left rail of standard gauge.
     pub const WAGON: Self = Self { half_width: 1.5, floor: 1.1, roof: 3.9, rail: -0.7535 };
 
-    /// Begin and end of the shadow of a body that reaches from one chainage to another, m; none when
-    /// the sun is down or misses the rail.
+    /// Begin and end of the shadow of a body that reaches from one chainage to another, m.
+    ///
+    /// There is none when the sun is down or the shadow misses the rail.
     pub fn shadow(&self, sun: &Sun, track_azimuth: f64, body: [f64; 2]) -> Option<[f64; 2]> {
         let [right, forwards, up] = sun.direction(track_azimuth);
         if up <= 0.0 {

@@ -25,8 +25,9 @@ impl Sun {
         [level * side, level * along, up]
     }
 
-    /// For each piece of the surface the share of the sun's irradiance that falls on it: the
-    /// cosine of the angle of incidence, zero in the shade and at night.
+    /// For each piece of the surface the share of the sun's irradiance that falls on it.
+    ///
+    /// It is the cosine of the angle of incidence, zero in the shade and at night.
     pub fn lit(&self, outline: &Outline, facets: &[Facet], track_azimuth: f64) -> Vec<f64> {
         let [right, _, up] = self.direction(track_azimuth);
         let share = |facet: &Facet| {

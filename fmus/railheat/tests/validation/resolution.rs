@@ -1,5 +1,6 @@
 //! How exact `model = "energy"` is: rounding, cells, intervals and modes.
 
+use railheat::HeatModel;
 use railheat::contact::Wheel;
 use railheat::energy::{Parameters, Resolution};
 use railheat::line::Line;
