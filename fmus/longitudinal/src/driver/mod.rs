@@ -24,8 +24,8 @@ mod schedule;
 
 use serde::{Deserialize, Serialize};
 
-use crate::traction::HIGHEST_NOTCH;
-use crate::train::{TrainDynamics, TrainState};
+use crate::drive::traction::HIGHEST_NOTCH;
+use crate::train::dynamics::{TrainDynamics, TrainState};
 
 pub use levers::LeverState;
 pub use remote::RadioState;
@@ -45,7 +45,7 @@ pub struct Command {
 }
 
 impl Command {
-    /// The place that the levers of the locomotives go to (see [`crate::lever`]).
+    /// The place that the levers of the locomotives go to (see [`crate::drive::lever`]).
     pub fn lever(&self) -> f64 {
         match self.dynamic_brake > 0.0 {
             true => -self.dynamic_brake,

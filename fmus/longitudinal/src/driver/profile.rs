@@ -12,8 +12,8 @@ use serde::Deserialize;
 use stock::{Check, StockError};
 
 use super::{Command, View};
-use crate::brake::EMERGENCY;
-use crate::traction::HIGHEST_NOTCH;
+use crate::brake::friction_brake::EMERGENCY;
+use crate::drive::traction::HIGHEST_NOTCH;
 
 /// Table of one lever.
 #[derive(Clone, Debug, PartialEq)]

@@ -22,8 +22,8 @@ use serde::Deserialize;
 use stock::{Check, StockError};
 
 use super::Command;
-use crate::brake::EMERGENCY;
-use crate::traction::HIGHEST_NOTCH;
+use crate::brake::friction_brake::EMERGENCY;
+use crate::drive::traction::HIGHEST_NOTCH;
 
 /// Recorded commands and speed.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! What the line does to a vehicle.
 
-use longitudinal::curve_resistance::CurveResistance;
 use longitudinal::driver::Command;
-use longitudinal::resistance::Resistance;
+use longitudinal::resistance::curve::CurveResistance;
+use longitudinal::resistance::propulsion::Resistance;
 use longitudinal::{Couplers, Wind};
 use track::Track;
 

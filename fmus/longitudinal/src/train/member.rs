@@ -1,6 +1,6 @@
 //! What tells a vehicle of the train from others of its type.
 
-use crate::pipe::Source;
+use crate::brake::pipe::Source;
 
 /// A vehicle's part in the train, and the places of its last lookups, which speed up the next ones
 /// and have no influence on results.

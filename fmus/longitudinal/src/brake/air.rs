@@ -16,8 +16,8 @@
 //! Source of the form: empirical models as in Wu et al., *Freight train air brake models*,
 //! International Journal of Rail Transportation 11(1), 2023.
 
-use crate::brake::{BrakeState, EMERGENCY};
-use crate::reservoir::Reservoir;
+use crate::brake::friction_brake::{BrakeState, EMERGENCY};
+use crate::brake::reservoir::Reservoir;
 
 /// Air brake of one vehicle.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The longest stable step of a train.
 //!
 //! For a linear chain with the greatest ω² of its stiffness and the greatest λ of its damping, both
-//! per mass, the step of `integrate.rs` is stable while (theory, eq. 3a)
+//! per mass, the step of `step.rs` is stable while (theory, eq. 3a)
 //!
 //! ```text
 //! ω² h² + 2 λ h < 4
@@ -11,9 +11,9 @@
 //! λ alike with the damping. The stiffness is that of the locked gears. A law that is blended over a
 //! transition speed v_e has the damping (F_loading − F_unloading)/(2 v_e) besides.
 
-use crate::build::BuildError;
-use crate::integrate::LONGEST_STEP;
-use crate::train::TrainDynamics;
+use crate::train::build::BuildError;
+use crate::train::dynamics::TrainDynamics;
+use crate::train::step::LONGEST_STEP;
 
 /// Speed of the gears up to which hydraulic cushions are taken into account, m/s.
 const FASTEST_GEAR: f64 = 3.0;

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use numerics::TableError;
 use stock::StockError;
 
-use crate::connection::GearPair;
-use crate::draft_gear::DraftGear;
-use crate::vehicle::Vehicle;
+use crate::coupling::connection::GearPair;
+use crate::coupling::draft_gear::DraftGear;
+use crate::train::vehicle::Vehicle;
 
 /// Why a train cannot be built.
 #[derive(Debug, thiserror::Error)]

@@ -3,17 +3,17 @@
 use numerics::TableError;
 use track::{Track, TrackPoint};
 
-use crate::brake::{Brake, BrakeState};
-use crate::curve_resistance::CurveResistance;
+use crate::brake::friction_brake::{Brake, BrakeState};
+use crate::drive::dynamic_brake::DynamicBrake;
+use crate::drive::lever;
+use crate::drive::traction::Traction;
 use crate::driver::Command;
-use crate::dynamic_brake::DynamicBrake;
-use crate::gravity;
-use crate::lever;
-use crate::member::Member;
-use crate::resistance::Resistance;
-use crate::traction::Traction;
-use crate::vehicle_state::{Forces, VehicleState};
-use crate::wind::Wind;
+use crate::line::gravity;
+use crate::line::wind::Wind;
+use crate::resistance::curve::CurveResistance;
+use crate::resistance::propulsion::Resistance;
+use crate::train::member::Member;
+use crate::train::vehicle_state::{Forces, VehicleState};
 
 /// What does not change in a vehicle; vehicles of a type share it.
 #[derive(Clone, Debug)]

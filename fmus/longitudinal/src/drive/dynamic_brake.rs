@@ -9,7 +9,7 @@
 
 use numerics::{Piecewise, TableError};
 
-use crate::traction::effort_by_speed;
+use crate::drive::traction::effort_by_speed;
 
 /// Dynamic brake of one locomotive.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Sums and extremes over the train.
 
-use crate::train::{TrainDynamics, TrainState};
+use crate::train::dynamics::{TrainDynamics, TrainState};
 
 /// Sums and extremes over the train; forces in N.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

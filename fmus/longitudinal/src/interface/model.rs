@@ -8,13 +8,13 @@ use serde::{Deserialize, Serialize};
 use stock::{Consist, Library};
 use track::Track;
 
-use crate::brake::EMERGENCY;
+use crate::brake::friction_brake::EMERGENCY;
+use crate::drive::traction::HIGHEST_NOTCH;
 use crate::driver::{Command, Driver, DriverState, View};
-use crate::signals::{self, SCHEDULE, Signals};
-use crate::start::{Couplers, Start};
-use crate::traction::HIGHEST_NOTCH;
-use crate::train::{TrainDynamics, TrainState};
-use crate::wind::Wind;
+use crate::interface::signals::{self, SCHEDULE, Signals};
+use crate::line::wind::Wind;
+use crate::train::dynamics::{TrainDynamics, TrainState};
+use crate::train::start::{Couplers, Start};
 
 /// The longitudinal train as an FMU.
 #[derive(Debug)]

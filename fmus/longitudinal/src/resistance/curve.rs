@@ -17,7 +17,7 @@
 use numerics::{LinearTable, TableError};
 use stock::CurveFormula;
 
-use crate::gravity::STANDARD_GRAVITY;
+use crate::line::gravity::STANDARD_GRAVITY;
 
 /// Degrees of curve over a chord of 100 ft (30.48 m) in a curvature of 1/m.
 const DEGREES: f64 = 30.48 * 180.0 / std::f64::consts::PI;

@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::connection_side::ConnectionSide;
-use crate::draft_gear::DraftGear;
+use crate::coupling::connection_side::ConnectionSide;
+use crate::coupling::draft_gear::DraftGear;
 
 /// Two draft gears in series; the connections between equal vehicles share it.
 #[derive(Clone, Debug)]

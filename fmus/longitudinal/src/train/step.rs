@@ -7,10 +7,10 @@
 //! With locked gears of 200 MN/m between masses of 134 t the highest angular frequency is 77 rad/s;
 //! the scheme is stable up to a step of 2/77 s = 26 ms. `stability.rs` tells the limit of a train.
 
+use crate::brake::pipe;
 use crate::driver::Command;
-use crate::energy::Work;
-use crate::pipe;
-use crate::train::{TrainDynamics, TrainState};
+use crate::train::dynamics::{TrainDynamics, TrainState};
+use crate::train::energy::Work;
 
 /// Longest inner step, s.
 pub const LONGEST_STEP: f64 = 1e-3;

@@ -12,9 +12,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::gravity::STANDARD_GRAVITY;
-use crate::train::{TrainDynamics, TrainState};
-use crate::vehicle_state::VehicleState;
+use crate::line::gravity::STANDARD_GRAVITY;
+use crate::train::dynamics::{TrainDynamics, TrainState};
+use crate::train::vehicle_state::VehicleState;
 
 /// Work that has been done, J; or the power that does it, W. Traction counts what it gives to the
 /// train, all others what they take from it.

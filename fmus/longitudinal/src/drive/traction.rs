@@ -15,7 +15,7 @@
 use numerics::{Interpolation, LinearTable, Piecewise, TableError};
 use stock::Between;
 
-use crate::gravity::STANDARD_GRAVITY;
+use crate::line::gravity::STANDARD_GRAVITY;
 
 /// Number of the highest notch.
 pub const HIGHEST_NOTCH: f64 = stock::NOTCHES as f64;

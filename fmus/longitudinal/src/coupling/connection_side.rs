@@ -19,7 +19,7 @@
 
 use numerics::LinearTable;
 
-use crate::draft_gear::{Curve, Side};
+use crate::coupling::draft_gear::{Curve, Side};
 
 /// What the gears do in one direction.
 #[derive(Clone, Debug)]

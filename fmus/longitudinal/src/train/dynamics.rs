@@ -7,15 +7,15 @@ use serde::{Deserialize, Serialize};
 use stock::{Consist, Library};
 use track::Track;
 
-use crate::build::{BuildError, Shared};
-use crate::connection::{Connection, ConnectionState};
-use crate::energy::{Energy, Work};
+use crate::brake::pipe;
+use crate::coupling::connection::{Connection, ConnectionState};
 use crate::history::History;
-use crate::member::Member;
-use crate::pipe;
-use crate::vehicle::Vehicle;
-use crate::vehicle_state::VehicleState;
-use crate::wind::Wind;
+use crate::line::wind::Wind;
+use crate::train::build::{BuildError, Shared};
+use crate::train::energy::{Energy, Work};
+use crate::train::member::Member;
+use crate::train::vehicle::Vehicle;
+use crate::train::vehicle_state::VehicleState;
 
 /// What does not change in a train (but for the places of the last lookups, which speed up the
 /// next ones and have no influence on results).

@@ -9,11 +9,11 @@
 //!
 //! so that the run does not begin with a shock through a slack train.
 
-use crate::connection::ConnectionState;
+use crate::brake::pipe;
+use crate::coupling::connection::ConnectionState;
 use crate::driver::Command;
-use crate::pipe;
-use crate::train::{TrainDynamics, TrainState};
-use crate::vehicle_state::{Forces, VehicleState};
+use crate::train::dynamics::{TrainDynamics, TrainState};
+use crate::train::vehicle_state::{Forces, VehicleState};
 
 /// How the couplers are at the beginning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,12 +10,12 @@
 
 use std::sync::Arc;
 
-use crate::brake::EMERGENCY;
+use crate::brake::friction_brake::EMERGENCY;
 use crate::driver::Command;
 use crate::history::History;
-use crate::member::Member;
-use crate::vehicle::Vehicle;
-use crate::vehicle_state::VehicleState;
+use crate::train::member::Member;
+use crate::train::vehicle::Vehicle;
+use crate::train::vehicle_state::VehicleState;
 
 /// What a vehicle's brake listens to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -6,7 +6,7 @@
 //! F = max(c β, c_L β_L, h β_H) m g μ(v)      c = 1 full service, 1.2 emergency
 //! ```
 //!
-//! with the cylinder fraction c of the train brake (`ecp_brake.rs`, `air_brake.rs`), that of the
+//! with the cylinder fraction c of the train brake (`ecp.rs`, `air.rs`), that of the
 //! locomotive brake c_L, the share h of the hand brake that the consist file applies, the net
 //! braking ratios β and the friction μ of the shoes. The share of the power F v that goes into a
 //! wheel is an output for the heat of wheels and rails.
@@ -15,10 +15,10 @@ use numerics::{LinearTable, TableError};
 use serde::{Deserialize, Serialize};
 use stock::BrakeControl;
 
-use crate::air_brake::AirBrake;
-use crate::ecp_brake::{EcpBrake, EcpState};
-use crate::gravity::STANDARD_GRAVITY;
-use crate::member::Member;
+use crate::brake::air::AirBrake;
+use crate::brake::ecp::{EcpBrake, EcpState};
+use crate::line::gravity::STANDARD_GRAVITY;
+use crate::train::member::Member;
 
 /// Greatest command: emergency, the level of AAR S-4200.
 pub const EMERGENCY: f64 = 1.2;

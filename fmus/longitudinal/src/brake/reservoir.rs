@@ -24,7 +24,7 @@
 //!
 //! Validated by `analytic_reservoir_…` in `tests/validation/brakes.rs`.
 
-use crate::brake::{BrakeState, EMERGENCY};
+use crate::brake::friction_brake::{BrakeState, EMERGENCY};
 
 /// Seconds in a minute.
 const MINUTE: f64 = 60.0;

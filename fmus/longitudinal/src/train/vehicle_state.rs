@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::brake::BrakeState;
+use crate::brake::friction_brake::BrakeState;
 
 /// What changes in a vehicle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
