@@ -9,7 +9,7 @@
 //! |---|---|
 //! | `library.rs` | the folder of files; a vehicle that extends another |
 //! | `vehicle.rs` | the vehicle file |
-//! | `resistance.rs`, `curve_resistance.rs` | its section on propulsion and curve resistance, with the formulas |
+//! | `resistance.rs`, `curve_resistance.rs` | its section on propulsion and curve resistance |
 //! | `propulsion.rs` | its sections on traction and dynamic brake |
 //! | `brake.rs` | its sections on friction brakes |
 //! | `multibody.rs` | its section for the three-dimensional model; `multibody_check.rs` checks it |
@@ -58,6 +58,6 @@ pub use multibody::{Body, CouplerAttachment, Multibody, WheelRailContact, Wheels
 pub use propulsion::{
     Between, DynamicBrake, EffortByNotch, EffortBySpeed, NOTCHES, Traction, ValueBySpeed,
 };
-pub use resistance::{DavisCoefficients, Resistance, ResistanceFormula};
+pub use resistance::{Resistance, ResistanceFormula};
 pub use vehicle::{Coupler, RearCoupler, Vehicle};
 pub use wedge::Wedge;

@@ -10,12 +10,13 @@
 //! | `resistance/` | propulsion and curve resistance |
 //! | `drive/` | traction and dynamic brake of a locomotive |
 //! | `brake/` | friction brakes, by cable or by pipe |
-//! | `history.rs` | commands on their way |
+//! | `command.rs`, `history.rs` | commands, and those on their way |
 //! | `train/` | vehicles joined to a train: its start, its step, its energy |
 //! | `driver/` | who commands: a schedule, profiles, a controller, a logger's file |
 //! | `interface/` | the variables of the FMU, and the physics behind them |
 
 pub mod brake;
+pub mod command;
 pub mod coupling;
 pub mod drive;
 pub mod driver;
@@ -25,6 +26,7 @@ pub mod line;
 pub mod resistance;
 mod train;
 
+pub use command::Command;
 pub use interface::model::{State, Train};
 pub use interface::signals::{Signals, VehicleSignals};
 pub use line::wind::Wind;

@@ -1,4 +1,4 @@
-//! Where the rails lie besides their designed place: irregularities of each rail, across and down.
+//! Irregularities of each rail: its offset from the designed line, across and down.
 //!
 //! | file | part |
 //! |---|---|
@@ -25,7 +25,7 @@ use shape::Shape;
 
 use crate::TrackError;
 
-/// Displacement of one rail from its designed place, and its change along the track.
+/// Offset of one rail from its designed line, and the change of the offset along the track.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RailOffset {
     /// Across, to the right, m.

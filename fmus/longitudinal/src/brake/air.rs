@@ -1,7 +1,7 @@
 //! Conventional air brake, described by its effect and not by the flow of its air.
 //!
-//! A change of the pressure in the brake pipe runs along the train (`pipe.rs`). A vehicle that has
-//! heard of it fills or empties its cylinder along the curves of the vehicle file (theory,
+//! A change of the pressure in the brake pipe runs along the train (`pipe.rs`). Where it has
+//! arrived, a vehicle fills or empties its cylinder along the curves of its file (theory,
 //! eq. 15a): with the fraction c of the cylinder's pressure and the curve f over the time,
 //!
 //! ```text
@@ -16,8 +16,9 @@
 //! Source of the form: empirical models as in Wu et al., *Freight train air brake models*,
 //! International Journal of Rail Transportation 11(1), 2023.
 
-use crate::brake::friction_brake::{BrakeState, EMERGENCY};
 use crate::brake::reservoir::Reservoir;
+use crate::brake::state::BrakeState;
+use crate::command::EMERGENCY;
 
 /// Air brake of one vehicle.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,14 +85,14 @@ impl AirBrake {
         self.service_wave.min(self.release_wave).min(self.emergency_wave)
     }
 
-    /// Hears of a new command in the pipe.
-    pub(crate) fn hear(&self, state: &mut BrakeState, command: f64) {
-        if command < state.heard {
+    /// Takes a new command that has arrived along the pipe.
+    pub(crate) fn set_pressure_command(&self, state: &mut BrakeState, command: f64) {
+        if command < state.pressure_command {
             state.releasing = !self.graduated;
-        } else if command > state.heard {
+        } else if command > state.pressure_command {
             state.releasing = false;
         }
-        state.heard = command;
+        state.pressure_command = command;
         state.leaked = 0.0;
     }
 
@@ -104,7 +105,7 @@ impl AirBrake {
         let now = state.cylinder;
         let target = match &self.reservoir {
             _ if state.releasing => 0.0,
-            None => state.heard,
+            None => state.pressure_command,
             Some(reservoir) => {
                 // Only a graduated release follows the pipe down.
                 let level = reservoir.level(state, distance);
@@ -113,7 +114,7 @@ impl AirBrake {
             }
         };
         if now < target {
-            let filled = match state.heard {
+            let filled = match state.pressure_command {
                 EMERGENCY => EMERGENCY * self.emergency_build_up.advanced(now / EMERGENCY, step),
                 _ => self.build_up.advanced(now, step),
             };

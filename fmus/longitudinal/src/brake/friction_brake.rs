@@ -11,20 +11,13 @@
 //! braking ratios β and the friction μ of the shoes. The share of the power F v that goes into a
 //! wheel is an output for the heat of wheels and rails.
 
+use numerics::constants::{KILOMETRES_PER_HOUR, STANDARD_GRAVITY};
 use numerics::{LinearTable, TableError};
-use serde::{Deserialize, Serialize};
 use stock::BrakeControl;
 
 use crate::brake::air::AirBrake;
-use crate::brake::ecp::{EcpBrake, EcpState};
-use crate::line::gravity::STANDARD_GRAVITY;
-use crate::train::member::Member;
-
-/// Greatest command: emergency, the level of AAR S-4200.
-pub const EMERGENCY: f64 = 1.2;
-
-/// Kilometres per hour in a metre per second.
-const KMH: f64 = 3.6;
+use crate::brake::ecp::EcpBrake;
+use crate::brake::state::BrakeState;
 
 /// Friction brakes of one vehicle.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,41 +47,6 @@ struct LocomotiveBrake {
     release_rate: f64,
 }
 
-/// What changes in the brakes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct BrakeState {
-    /// Cylinder pressure as a fraction of that at full service.
-    pub cylinder: f64,
-    /// Cylinder pressure of the locomotive brake as a fraction of its greatest.
-    pub locomotive_cylinder: f64,
-    /// State of the cable's valve.
-    pub ecp: EcpState,
-    /// Command that has come along the pipe.
-    pub heard: f64,
-    /// Number of changes of the pipe's command that have come.
-    pub heard_count: u64,
-    /// Air that the reservoir has given and not got back, as a share of that of a full service.
-    pub spent: f64,
-    /// What the pipe has lost by leakage since the last change of its command, as such a share.
-    pub leaked: f64,
-    /// Whether the cylinder empties, as it does without graduated release until it is empty.
-    pub releasing: bool,
-}
-
-impl BrakeState {
-    /// Brakes that have followed the commands for long.
-    pub fn settled(train_brake: f64, locomotive_brake: f64) -> Self {
-        Self {
-            cylinder: train_brake,
-            locomotive_cylinder: locomotive_brake,
-            ecp: EcpState::settled(train_brake),
-            heard: train_brake,
-            spent: train_brake,
-            ..Self::default()
-        }
-    }
-}
-
 impl Brake {
     /// The brakes of a vehicle.
     ///
@@ -96,7 +54,7 @@ impl Brake {
     /// When a table cannot be used.
     pub fn new(vehicle: &stock::Vehicle) -> Result<Self, TableError> {
         let (file, weight) = (&vehicle.brake, vehicle.mass_kg * STANDARD_GRAVITY);
-        let speeds = file.shoe_friction.speed_kmh.iter().map(|v| v / KMH).collect();
+        let speeds = file.shoe_friction.speed_kmh.iter().map(|v| v / KILOMETRES_PER_HOUR).collect();
         let control = match (file.control, &file.air) {
             (BrakeControl::Air, Some(air)) => Control::Air(Box::new(AirBrake::new(air))),
             _ => Control::Ecp(EcpBrake::new(file)),
@@ -132,8 +90,8 @@ impl Brake {
     }
 
     /// Takes the brakes over a time `step`, s, with the commands of the cable and of the
-    /// locomotive brake; an air brake follows what it has heard, `distance`, m, from the source of its
-    /// air.
+    /// locomotive brake; an air brake follows what has arrived along the pipe, `distance`, m, from
+    /// the source of its air.
     #[inline]
     pub(crate) fn advance(
         &self,
@@ -153,18 +111,25 @@ impl Brake {
         }
     }
 
-    /// Greatest force against the motion at a speed, m/s, in N.
+    /// Greatest force against the motion at a speed, m/s, in N, with `hand_force`, N, on the shoes
+    /// by the hand brake; `index` is the last one in the friction of the shoes.
     #[inline]
-    pub(crate) fn force(&self, member: &mut Member, state: &BrakeState, speed: f64) -> f64 {
+    pub(crate) fn force(
+        &self,
+        state: &BrakeState,
+        hand_force: f64,
+        speed: f64,
+        index: &mut usize,
+    ) -> f64 {
         let train = state.cylinder * self.shoe_force;
         let locomotive = match &self.locomotive {
             Some(brake) => state.locomotive_cylinder * brake.shoe_force,
             None => 0.0,
         };
         let greater = |a: f64, b: f64| if a > b { a } else { b };
-        match greater(greater(train, locomotive), member.hand_force) {
+        match greater(greater(train, locomotive), hand_force) {
             0.0 => 0.0,
-            shoes => shoes * self.friction.value(speed, &mut member.friction_index),
+            shoes => shoes * self.friction.value(speed, index),
         }
     }
 

@@ -7,9 +7,11 @@
 //! | `air.rs` | train brake by pipe |
 //! | `pipe.rs` | the wave of a command along the brake pipe |
 //! | `reservoir.rs` | the air that a vehicle's brake has |
+//! | `state.rs` | what changes in the brakes of a vehicle |
 
 pub(crate) mod air;
 mod ecp;
 pub mod friction_brake;
 pub(crate) mod pipe;
 mod reservoir;
+pub(crate) mod state;

@@ -11,7 +11,7 @@
 //! leaking:     dc/dt = −k_c c
 //! ```
 //!
-//! with the way x along the pipe from the source of the air, the leakage k_p of a pipe that nobody
+//! with the distance x along the pipe from the source of the air, the leakage k_p of a pipe that nobody
 //! maintains, k_c of the cylinder, and the gradient γ by which a leaking pipe holds less pressure at
 //! its end, so that a full service gives less there. So an application that comes before the
 //! reservoirs are full again gives less, or nothing, as conventional brakes do.
@@ -24,7 +24,8 @@
 //!
 //! Validated by `analytic_reservoir_…` in `tests/validation/brakes.rs`.
 
-use crate::brake::friction_brake::{BrakeState, EMERGENCY};
+use crate::brake::state::BrakeState;
+use crate::command::EMERGENCY;
 
 /// Seconds in a minute.
 const MINUTE: f64 = 60.0;
@@ -53,19 +54,19 @@ impl Reservoir {
         }
     }
 
-    /// What the pipe asks for at a way along it, m.
+    /// What the pipe asks for at a distance from its source, m.
     pub fn level(&self, state: &BrakeState, distance: f64) -> f64 {
-        let greatest = if state.heard == EMERGENCY { EMERGENCY } else { 1.0 };
+        let greatest = if state.pressure_command == EMERGENCY { EMERGENCY } else { 1.0 };
         let gradient = (1.0 - self.gradient * distance).max(0.0);
-        (state.heard + state.leaked).min(greatest * gradient)
+        (state.pressure_command + state.leaked).min(greatest * gradient)
     }
 
     /// Recharges the reservoir and lets pipe and cylinder leak over a time `step`, s.
     pub fn recharge_and_leak(&self, state: &mut BrakeState, distance: f64, step: f64) {
-        let [beside, by_way] = self.recharge;
+        let [beside, by_distance] = self.recharge;
         let surplus = (state.spent - self.level(state, distance)).max(0.0);
-        state.spent -= surplus * (step / (beside + by_way * distance)).min(1.0);
-        if state.heard > 0.0 {
+        state.spent -= surplus * (step / (beside + by_distance * distance)).min(1.0);
+        if state.pressure_command > 0.0 {
             state.leaked += self.pipe_leakage * step;
         }
         state.cylinder -= self.cylinder_leakage * state.cylinder * step;

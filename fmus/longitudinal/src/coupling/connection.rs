@@ -63,8 +63,8 @@ pub struct ConnectionState {
 }
 
 impl Connection {
-    /// The connection by two gears with `slack` as their whole free play, between vehicles whose
-    /// middles are `rest_distance` apart in the middle of the slack, m.
+    /// The connection by two gears with `slack` as their whole free play, m, and the distance of the
+    /// vehicles' middles in the middle of the slack, m.
     pub fn new(gears: Arc<GearPair>, slack: f64, rest_distance: f64) -> Self {
         Self { rest_distance, half_slack: slack / 2.0, gears, index: 0 }
     }

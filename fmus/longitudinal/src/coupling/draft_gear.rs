@@ -171,11 +171,11 @@ impl Side {
             (Some(a), None) => a * own * own,
             (None, b) => b.unwrap_or_default() * others * others,
         };
-        let places = |side: &Self, share: f64| -> Vec<f64> {
+        let deflections_of = |side: &Self, share: f64| -> Vec<f64> {
             let deflections = side.orifice.as_ref().map_or(&[][..], |orifice| orifice.x());
             deflections.iter().map(|x| x / share).collect()
         };
-        let mut deflections = [places(self, own), places(other, others)].concat();
+        let mut deflections = [deflections_of(self, own), deflections_of(other, others)].concat();
         deflections.sort_by(f64::total_cmp);
         deflections.dedup();
         let values = deflections.iter().map(|&x| at(x)).collect();

@@ -1,10 +1,10 @@
-//! The drive of a locomotive on its way to what the driver has asked for.
+//! The lever of a drive, which follows the driver's command at a limited rate.
 //!
 //! One number: from 0 to 1 traction as a share of the highest notch, from 0 to −1 dynamic brake as
 //! a share of full effort. It moves at a constant rate and goes through zero (theory, eq. 13).
 
-/// The lever after a time `step`, s, on its way to `target`; the ramps are the times for the whole
-/// way of traction and of dynamic brake, s.
+/// The lever a time `step`, s, later, moving to `target`; the ramps are the times for the whole
+/// range of traction and of dynamic brake, s.
 pub fn moved(
     lever: f64,
     target: f64,

@@ -2,7 +2,7 @@
 //!
 //! | file | part |
 //! |---|---|
-//! | `lever.rs` | the drive on its way to what the driver asks for |
+//! | `lever.rs` | the lever of a drive, which follows the command at a limited rate |
 //! | `traction.rs` | tractive effort by notch and speed |
 //! | `dynamic_brake.rs` | the motors as generators |
 

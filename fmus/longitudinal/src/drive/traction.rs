@@ -6,22 +6,17 @@
 //!
 //! with the effort limit T of the drive, the adhesion μ, the power P for traction, its share η at
 //! the rail, and the shares f_N and p_N of effort and power in the notch. Between two notches, while
-//! the drive is on its way, and with a continuous throttle, the shares are linear. In the place of
-//! `f_N T(v)` there may be a table for each notch; power and adhesion limit only where they are given.
+//! the lever moves, and with a continuous throttle, the shares are linear. A table for each notch may
+//! replace `f_N T(v)`; power and adhesion limit only where they are given.
 //!
 //! Form: Cole 2006, ch. 9, with tables where Cole has fractions of N. Validated by
 //! `benchmark_traction_in_notches_5_and_8`: 172.6 and 327.1 kN for two locomotives at 60 km/h.
 
+use numerics::constants::{KILOMETRES_PER_HOUR, STANDARD_GRAVITY};
 use numerics::{Interpolation, LinearTable, Piecewise, TableError};
 use stock::Between;
 
-use crate::line::gravity::STANDARD_GRAVITY;
-
-/// Number of the highest notch.
-pub const HIGHEST_NOTCH: f64 = stock::NOTCHES as f64;
-
-/// Kilometres per hour in a metre per second.
-const KMH: f64 = 3.6;
+use crate::command::HIGHEST_NOTCH;
 
 /// Traction of one locomotive.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +42,7 @@ enum Effort {
 }
 
 fn by_speed(speed_kmh: &[f64], values: &[f64], unit: f64) -> Result<LinearTable, TableError> {
-    let speeds = speed_kmh.iter().map(|v| v / KMH).collect();
+    let speeds = speed_kmh.iter().map(|v| v / KILOMETRES_PER_HOUR).collect();
     LinearTable::new(speeds, values.iter().map(|value| value * unit).collect())
 }
 
@@ -63,7 +58,11 @@ pub(crate) fn effort_by_speed(file: &stock::EffortBySpeed) -> Result<Piecewise, 
         Between::Linear => Interpolation::Linear,
         Between::Cubic => Interpolation::Cubic,
     };
-    Piecewise::new(file.speed_kmh.iter().map(|v| v / KMH).collect(), &efforts, interpolation)
+    Piecewise::new(
+        file.speed_kmh.iter().map(|v| v / KILOMETRES_PER_HOUR).collect(),
+        &efforts,
+        interpolation,
+    )
 }
 
 impl Traction {

@@ -18,12 +18,11 @@
 use std::path::Path;
 
 use numerics::LinearTable;
+use numerics::constants::{KILOMETRES_PER_HOUR, MILES_PER_HOUR};
 use serde::Deserialize;
 use stock::{Check, StockError};
 
-use super::Command;
-use crate::brake::friction_brake::EMERGENCY;
-use crate::drive::traction::HIGHEST_NOTCH;
+use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
 
 /// Recorded commands and speed.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,9 +124,9 @@ impl ReplayFile {
         self.check_times(&times, &table)?;
 
         let unit = match self.speed_unit {
-            SpeedUnit::Kmh => 3.6,
+            SpeedUnit::Kmh => KILOMETRES_PER_HOUR,
             SpeedUnit::MetrePerSecond => 1.0,
-            SpeedUnit::Mph => 1.0 / 0.447_04,
+            SpeedUnit::Mph => MILES_PER_HOUR,
         };
         let linear = |values: Vec<f64>| {
             LinearTable::new(times.clone(), values)
@@ -217,13 +216,13 @@ impl<'a> Table<'a> {
 
     /// The numbers of the column `name`, which the key of the driver file names.
     fn column(&self, key: &str, name: &str) -> Result<Vec<f64>, StockError> {
-        let Some(place) = self.names.iter().position(|own| own == name) else {
+        let Some(index) = self.names.iter().position(|own| own == name) else {
             let names: Vec<&str> = self.names.iter().collect();
             let wanted = format!("no column of the logger's file has this name; it has {names:?}");
             return Err(self.check.error(key, name, wanted));
         };
         let number = |(row, (_, record)): (usize, &(u64, csv::StringRecord))| {
-            let text = record.get(place).unwrap_or_default();
+            let text = record.get(index).unwrap_or_default();
             match text.parse::<f64>() {
                 Ok(value) if value.is_finite() => Ok(value),
                 _ => Err(self.error(row, name, format!("\"{text}\""), "must be a number")),

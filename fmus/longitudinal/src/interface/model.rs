@@ -1,4 +1,4 @@
-//! The train as an FMU: the way from its variables to the physics and back.
+//! The train as an FMU: its variables set the physics, whose results they show.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -8,9 +8,10 @@ use serde::{Deserialize, Serialize};
 use stock::{Consist, Library};
 use track::Track;
 
-use crate::brake::friction_brake::EMERGENCY;
-use crate::drive::traction::HIGHEST_NOTCH;
-use crate::driver::{Command, Driver, DriverState, View};
+use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
+use crate::driver::Driver;
+use crate::driver::state::DriverState;
+use crate::driver::view::View;
 use crate::interface::signals::{self, SCHEDULE, Signals};
 use crate::line::wind::Wind;
 use crate::train::dynamics::{TrainDynamics, TrainState};
@@ -151,7 +152,7 @@ fn wind(signals: &Signals, values: &Values) -> Wind {
     Wind { speed: values[signals.wind_speed], direction: values[signals.wind_direction] }
 }
 
-/// Puts the inputs in the place of what the driver asks for.
+/// Replaces what the driver asks for by the inputs that are set.
 fn override_by_inputs(
     signals: &Signals,
     values: &Values,

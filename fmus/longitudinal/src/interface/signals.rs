@@ -8,8 +8,7 @@ use std::path::Path;
 use fmu::{Declaration, Integer, ModelError, Real, Text, unit};
 use stock::Consist;
 
-use crate::brake::friction_brake::EMERGENCY;
-use crate::drive::traction::HIGHEST_NOTCH;
+use crate::command::{EMERGENCY, HIGHEST_NOTCH};
 
 /// Value of a driver input that leaves the schedule in force.
 pub(crate) const SCHEDULE: f64 = -1.0;

@@ -7,8 +7,7 @@
 //! with the elevation z over the chainage s at the vehicle's middle. As s is measured along the
 //! rising track, dz/ds is the sine of its slope and the formula is exact.
 
-/// Standard acceleration of free fall, m/s².
-pub const STANDARD_GRAVITY: f64 = 9.80665;
+use numerics::constants::STANDARD_GRAVITY;
 
 /// Force along the track on a mass, kg, where the track rises with `gradient`, in N; forward
 /// downhill.

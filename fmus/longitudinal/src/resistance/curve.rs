@@ -7,17 +7,16 @@
 //! R_c = table(|κ|) m                                 (theory, eq. 10)
 //! ```
 //!
-//! with the curvature κ = 1/R at the vehicle's own place. The constant 6116 is 0.8 lb for each long
+//! with the curvature κ = 1/R under the vehicle. The constant 6116 is 0.8 lb for each long
 //! ton and degree of curve (Cole, Hay), the second line the same for each short ton (Train Propulsion
 //! Simulator), the third is Roeckl's. Valid for curves wider than about 150 m.
 //!
 //! It is an output of its own: a three-dimensional vehicle makes its curve resistance itself, by
 //! the creep of its wheels, and must not be given this one on top.
 
+use numerics::constants::STANDARD_GRAVITY;
 use numerics::{LinearTable, TableError};
 use stock::CurveFormula;
-
-use crate::line::gravity::STANDARD_GRAVITY;
 
 /// Degrees of curve over a chord of 100 ft (30.48 m) in a curvature of 1/m.
 const DEGREES: f64 = 30.48 * 180.0 / std::f64::consts::PI;

@@ -5,18 +5,19 @@
 //! W = −c ((v + w) |v + w| − v |v|)              (theory, eq. 9a)
 //! ```
 //!
-//! with the coefficients of one of the formulas of the vehicle file (`stock::ResistanceFormula`), or
-//! a table in the place of the first three terms. S is what it takes to set the vehicle in motion,
-//! gone at the speed v_S; w is the wind against the running direction, and W what it adds: a tail
-//! wind may push. Valid up to the speeds of freight trains, about 120 km/h; a side wind does not
+//! with the coefficients of a formula, each in its file, or with a table that replaces the first
+//! three terms. S is what it takes to set the vehicle in motion, gone at the speed v_S; w is the wind
+//! against the running direction, and W what it adds: a tail wind may push. Valid up to the speeds of freight trains, about 120 km/h; a side wind does not
 //! count.
 //!
 //! Validated by `benchmark_resistance_of_the_train_at_60_kmh`: 209.9 kN for the paper's train.
 
+use numerics::constants::KILOMETRES_PER_HOUR;
 use numerics::{LinearTable, TableError};
+use stock::ResistanceFormula;
 
-/// Kilometres per hour in a metre per second.
-const KMH: f64 = 3.6;
+use super::coefficients::Coefficients;
+use super::{aar_rp548, arema, canadian_national, cole, davis};
 
 /// Propulsion resistance.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,12 +28,33 @@ pub struct Resistance {
     linear: f64,
     /// Part of the air, N s²/m².
     quadratic: f64,
-    /// Force over m/s in the place of the three.
+    /// Force over m/s that replaces the three.
     table: Option<LinearTable>,
     /// What setting in motion takes beyond that, N.
     starting: f64,
     /// Speed at which nothing of it is left, m/s.
     starting_until: f64,
+}
+
+/// The coefficients of the file's formula for a mass, t, on axles; those of a table are zero.
+fn coefficients(file: &stock::Resistance, tonnes: f64, axles: f64) -> Coefficients {
+    let air = file.air_coefficient.unwrap_or_default();
+    let area = file.area_m2.unwrap_or_default();
+    match file.formula {
+        ResistanceFormula::Coefficients => Coefficients {
+            constant: file.constant_n_per_t * tonnes + file.axle_n * axles,
+            linear: file.linear_n_per_t_kmh * tonnes,
+            quadratic: file.quadratic_n_per_kmh2,
+        },
+        ResistanceFormula::Davis => davis::coefficients(tonnes, axles, air, area),
+        ResistanceFormula::AarRp548 => aar_rp548::coefficients(tonnes),
+        ResistanceFormula::Arema => arema::coefficients(tonnes, axles, air),
+        ResistanceFormula::CanadianNational => {
+            canadian_national::coefficients(tonnes, axles, air, area)
+        }
+        ResistanceFormula::Cole => cole::coefficients(tonnes, axles, air),
+        ResistanceFormula::Table => Coefficients::default(),
+    }
 }
 
 impl Resistance {
@@ -43,21 +65,21 @@ impl Resistance {
     pub fn new(vehicle: &stock::Vehicle) -> Result<Self, TableError> {
         let file = &vehicle.resistance;
         let tonnes = vehicle.mass_kg * 1e-3;
-        let davis = file.coefficients(tonnes, f64::from(vehicle.axles));
+        let formula = file.factor * coefficients(file, tonnes, f64::from(vehicle.axles));
         let table = file.table.as_ref().map(|table| {
-            let speeds = table.speed_kmh.iter().map(|v| v / KMH).collect();
+            let speeds = table.speed_kmh.iter().map(|v| v / KILOMETRES_PER_HOUR).collect();
             LinearTable::new(
                 speeds,
                 table.effort_kn.iter().map(|f| f * 1e3 * file.factor).collect(),
             )
         });
         Ok(Self {
-            constant: davis.constant_n,
-            linear: davis.linear_n_per_kmh * KMH,
-            quadratic: davis.quadratic_n_per_kmh2 * KMH * KMH,
+            constant: formula.constant,
+            linear: formula.linear * KILOMETRES_PER_HOUR,
+            quadratic: formula.quadratic * KILOMETRES_PER_HOUR * KILOMETRES_PER_HOUR,
             table: table.transpose()?,
             starting: file.starting_n_per_t * tonnes,
-            starting_until: file.starting_until_kmh / KMH,
+            starting_until: file.starting_until_kmh / KILOMETRES_PER_HOUR,
         })
     }
 

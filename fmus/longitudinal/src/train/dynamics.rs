@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 use stock::{Consist, Library};
 use track::Track;
 
-use crate::brake::pipe;
 use crate::coupling::connection::{Connection, ConnectionState};
 use crate::history::History;
 use crate::line::wind::Wind;
@@ -17,12 +16,12 @@ use crate::train::member::Member;
 use crate::train::vehicle::Vehicle;
 use crate::train::vehicle_state::VehicleState;
 
-/// What does not change in a train (but for the places of the last lookups, which speed up the
+/// What does not change in a train (but for the indices of the last lookups, which speed up the
 /// next ones and have no influence on results).
 #[derive(Clone, Debug)]
 pub struct TrainDynamics {
     pub(crate) vehicles: Vec<Arc<Vehicle>>,
-    /// What tells each of the vehicles from others of its type.
+    /// What distinguishes each vehicle from others of its type.
     pub(crate) members: Vec<Member>,
     /// Connection `k` joins the vehicles `k` and `k + 1`.
     pub(crate) connections: Vec<Connection>,
@@ -48,7 +47,7 @@ pub struct TrainState {
     pub initial_energy: Energy,
     /// Time since the start, s.
     pub time: f64,
-    /// What each group of locomotives has told the brake pipe; empty when nobody listens.
+    /// What each group of locomotives has commanded by the brake pipe; empty without air brakes.
     pub pipe: Vec<History<f64>>,
 }
 
@@ -135,14 +134,6 @@ impl TrainDynamics {
         let mut train = Self { vehicles, members, connections, track, wind: Wind::default() };
         train.find_sources();
         Ok(train)
-    }
-
-    /// Finds what each vehicle's air brake listens to.
-    fn find_sources(&mut self) {
-        let sources = pipe::sources(&self.vehicles, &self.members);
-        for (member, source) in self.members.iter_mut().zip(sources) {
-            member.source = source;
-        }
     }
 
     /// Number of the groups of locomotives.

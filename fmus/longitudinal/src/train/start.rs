@@ -9,9 +9,8 @@
 //!
 //! so that the run does not begin with a shock through a slack train.
 
-use crate::brake::pipe;
+use crate::command::Command;
 use crate::coupling::connection::ConnectionState;
-use crate::driver::Command;
 use crate::train::dynamics::{TrainDynamics, TrainState};
 use crate::train::vehicle_state::{Forces, VehicleState};
 
@@ -49,14 +48,14 @@ impl TrainDynamics {
         for (vehicle, state) in self.vehicles.iter().zip(&mut state.vehicles) {
             vehicle.settle(state, &start.applied);
         }
-        state.pipe = pipe::histories(&self.vehicles, &self.members, &[start.applied]);
-        self.place(&mut state, start.position);
+        state.pipe = self.pipe_histories(&[start.applied]);
+        self.position_vehicles(&mut state, start.position);
         if start.couplers == Couplers::InBalance {
             let forces = self.balanced_forces(&state);
             for (k, force) in forces.into_iter().enumerate() {
                 state.connections[k] = self.connections[k].loaded_to(force);
             }
-            self.place(&mut state, start.position);
+            self.position_vehicles(&mut state, start.position);
         }
         for vehicle in &state.vehicles {
             state.power.add_power(vehicle);
@@ -65,8 +64,8 @@ impl TrainDynamics {
         state
     }
 
-    /// Places the vehicles behind the leading one as the deflections say, and finds the forces.
-    fn place(&mut self, state: &mut TrainState, mut position: f64) {
+    /// Positions the vehicles behind the leading one by the deflections, and finds the forces.
+    fn position_vehicles(&mut self, state: &mut TrainState, mut position: f64) {
         for i in 0..self.vehicles.len() {
             if let Some(k) = i.checked_sub(1) {
                 let connection = &state.connections[k];
@@ -76,7 +75,7 @@ impl TrainDynamics {
             }
             state.vehicles[i].position = position;
             let (member, own) = (&mut self.members[i], &mut state.vehicles[i]);
-            self.vehicles[i].act(member, own, &self.track, &self.wind);
+            self.vehicles[i].apply_forces(member, own, &self.track, &self.wind);
         }
     }
 

@@ -1,14 +1,14 @@
 //! The step: kick, drift, kick.
 //!
 //! A fixed-step symplectic scheme of second order (velocity Verlet, theory, eq. 2): half the impulse
-//! of the forces at the old place, the way at constant velocity, and half the impulse of the forces
-//! at the new place. Forces that depend on the velocity are taken at the velocity of the way.
+//! of the forces at the old position, a drift at constant velocity, and half the impulse of the
+//! forces at the new position. Forces that depend on the velocity take that of the drift.
 //!
 //! With locked gears of 200 MN/m between masses of 134 t the highest angular frequency is 77 rad/s;
-//! the scheme is stable up to a step of 2/77 s = 26 ms. `stability.rs` tells the limit of a train.
+//! the scheme is stable up to a step of 2/77 s = 26 ms. `stability.rs` has the limit of a train.
 
 use crate::brake::pipe;
-use crate::driver::Command;
+use crate::command::Command;
 use crate::train::dynamics::{TrainDynamics, TrainState};
 use crate::train::energy::Work;
 
@@ -44,9 +44,16 @@ impl TrainDynamics {
         let mut power = Work::default();
         let members = self.vehicles.iter().zip(&mut self.members);
         for ((vehicle, member), own) in members.zip(&mut state.vehicles) {
-            pipe::listen(vehicle, member, own, &state.pipe, state.time);
-            vehicle.operate(member, own, &commands[member.group.min(commands.len() - 1)], step);
-            vehicle.act(member, own, &self.track, &self.wind);
+            if let Some(air) = vehicle.brake.air() {
+                pipe::arrive(air, &mut own.brake, member.source, &state.pipe, state.time);
+            }
+            vehicle.update_drive_and_brakes(
+                member,
+                own,
+                &commands[member.group.min(commands.len() - 1)],
+                step,
+            );
+            vehicle.apply_forces(member, own, &self.track, &self.wind);
             own.kick(vehicle.inverse_inertia, step / 2.0);
             power.add_power(own);
         }
@@ -55,7 +62,7 @@ impl TrainDynamics {
         state.power = power;
     }
 
-    /// Brings the connections to the vehicles' new places.
+    /// Brings the connections to the vehicles' new positions.
     fn move_connections(&mut self, state: &mut TrainState) {
         let Some((mut front, others)) = state.vehicles.split_first_mut() else { return };
         let connections = self.connections.iter_mut().zip(&mut state.connections);

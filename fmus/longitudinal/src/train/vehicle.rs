@@ -1,14 +1,16 @@
 //! One mass of the train with all that acts on it.
 
 use numerics::TableError;
-use track::{Track, TrackPoint};
+use track::Track;
 
-use crate::brake::friction_brake::{Brake, BrakeState};
+use crate::brake::friction_brake::Brake;
+use crate::brake::state::BrakeState;
+use crate::command::Command;
 use crate::drive::dynamic_brake::DynamicBrake;
 use crate::drive::lever;
 use crate::drive::traction::Traction;
-use crate::driver::Command;
 use crate::line::gravity;
+use crate::line::local_line::{LocalLine, mean_heading};
 use crate::line::wind::Wind;
 use crate::resistance::curve::CurveResistance;
 use crate::resistance::propulsion::Resistance;
@@ -62,7 +64,7 @@ impl Vehicle {
         state.lever = self.lever(0.0, command.lever(), f64::INFINITY);
         state.brake = BrakeState::settled(command.train_brake, command.locomotive_brake);
         // The first change in the history of the pipe is what it has been for ever.
-        state.brake.heard_count = 1;
+        state.brake.arrivals = 1;
     }
 
     /// Whether the vehicle is a locomotive.
@@ -104,7 +106,7 @@ impl Vehicle {
 
     /// Moves drive and brake over a time `step`, s.
     #[inline]
-    pub(crate) fn operate(
+    pub(crate) fn update_drive_and_brakes(
         &self,
         member: &Member,
         state: &mut VehicleState,
@@ -118,10 +120,9 @@ impl Vehicle {
         self.brake.advance(&mut state.brake, commands, member.source.distance, step);
     }
 
-    /// Finds the forces, but for those of the couplers, where the vehicle is; `wind` is the speed
-    /// of the air and the angle that it comes from, against the heading of the track's beginning.
+    /// Finds the forces on the vehicle where it is, but for those of its couplers.
     #[inline]
-    pub(crate) fn act(
+    pub(crate) fn apply_forces(
         &self,
         member: &mut Member,
         state: &mut VehicleState,
@@ -142,11 +143,12 @@ impl Vehicle {
             }
         };
         state.forces.curve_resistance = self.curve_resistance.force(line.curvature);
-        state.forces.brake = self.brake.force(member, &state.brake, speed);
+        state.forces.brake =
+            self.brake.force(&state.brake, member.hand_force, speed, &mut member.friction_index);
     }
 
-    /// Force that the line takes from the vehicle at a place, m, and a speed, m/s, in N: what it
-    /// needs to keep its speed there. `index` are the places of lookups near by.
+    /// Force that the vehicle needs to keep a speed, m/s, at a chainage, m, in N; `index` holds
+    /// lookups near by.
     pub(crate) fn demand(
         &self,
         position: f64,
@@ -159,29 +161,21 @@ impl Vehicle {
             - gravity::force(self.mass, line.gradient)
     }
 
-    /// The line at the vehicle's middle, or its mean over the vehicle's length; `index` are the places
-    /// of the last lookups.
+    /// The line at the vehicle's middle, or its mean over the vehicle's length; `index` holds the
+    /// last lookups.
     #[inline]
-    fn line(&self, position: f64, track: &Track, index: &mut [usize; 2]) -> Line {
-        if self.along_its_length {
-            return mean_line(position, self.length, track, index);
-        }
-        let place = track.place(position, &mut index[0]);
-        Line {
-            gradient: place.gradient(),
-            elevation: place.elevation(),
-            curvature: place.curvature(),
+    fn line(&self, position: f64, track: &Track, index: &mut [usize; 2]) -> LocalLine {
+        match self.along_its_length {
+            true => LocalLine::mean(position, self.length, track, index),
+            false => LocalLine::at(position, track, index),
         }
     }
 
     /// Heading of the track, as [`Self::line`].
     fn heading(&self, position: f64, track: &Track, index: &mut [usize; 2]) -> f64 {
         match self.along_its_length {
-            false => track.place(position, &mut index[0]).heading(),
-            true => {
-                let [front, rear] = ends(position, self.length, track, index);
-                (front.heading_integral - rear.heading_integral) / self.length
-            }
+            false => track.locate(position, &mut index[0]).heading(),
+            true => mean_heading(position, self.length, track, index),
         }
     }
 
@@ -205,28 +199,4 @@ impl Vehicle {
             _ => 0.0,
         }
     }
-}
-
-/// What the track does to a vehicle.
-struct Line {
-    gradient: f64,
-    elevation: f64,
-    curvature: f64,
-}
-
-/// The means over a length around a place. A vehicle across a change of hand counts the curvature that
-/// is left of both.
-fn mean_line(position: f64, length: f64, track: &Track, index: &mut [usize; 2]) -> Line {
-    let [front, rear] = ends(position, length, track, index);
-    Line {
-        gradient: (front.elevation - rear.elevation) / length,
-        elevation: (front.elevation_integral - rear.elevation_integral) / length,
-        curvature: (front.heading - rear.heading) / length,
-    }
-}
-
-/// The track at the front and at the rear of a length around a place.
-fn ends(position: f64, length: f64, track: &Track, index: &mut [usize; 2]) -> [TrackPoint; 2] {
-    let [first, second] = index;
-    [track.at(position + length / 2.0, first), track.at(position - length / 2.0, second)]
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::brake::friction_brake::BrakeState;
+use crate::brake::state::BrakeState;
 
 /// What changes in a vehicle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -13,7 +13,7 @@ pub struct VehicleState {
     pub velocity: f64,
     /// Elevation of the track at the vehicle's middle, or the mean over its length, m.
     pub elevation: f64,
-    /// Place of the drive between full dynamic brake (−1) and the highest notch (1).
+    /// Lever of the drive between full dynamic brake (−1) and the highest notch (1).
     pub lever: f64,
     /// Friction brake.
     pub brake: BrakeState,

@@ -1,7 +1,7 @@
 //! Closed forms of whole trains.
 
 use crate::support::*;
-use longitudinal::driver::Command;
+use longitudinal::Command;
 use longitudinal::{Couplers, LONGEST_STEP, TrainDynamics, TrainState};
 use track::Track;
 
@@ -102,7 +102,7 @@ fn analytic_energy_balance_of_a_rough_run() {
             expected: 0.0,
             unit: "of the work done",
             source: "conservation of energy",
-            tolerance: (1e-4, "what the issue asks for; integration errors only"),
+            tolerance: (1e-4, "integration errors only"),
         }
         .holds();
     }

@@ -1,13 +1,14 @@
 //! Case A of the Train Propulsion Simulator, an independent program, complete up to its first brake
 //! application: `scenarios/benchmarks/tps-a`.
 //!
-//! Source of inputs and results: project reference, longitudinal, 1.6 (build 1.01.01 with variable
-//! step). Tolerances: those of the issue, 0.05 m/s and 5 %.
+//! Inputs and results are those of its shipped example, run with build 1.01.01 and variable step.
+//! Tolerances: 0.05 m/s and 5 %, for two programs with integrators and splines of their own.
 
 use std::path::Path;
 
 use crate::support::*;
-use longitudinal::driver::{Driver, View};
+use longitudinal::driver::Driver;
+use longitudinal::driver::view::View;
 use longitudinal::{Couplers, Start, TrainDynamics};
 use stock::Consist;
 use track::Track;
@@ -79,7 +80,7 @@ fn benchmark_case_a_of_the_train_propulsion_simulator() {
             expected,
             unit: "m/s",
             source: "Train Propulsion Simulator, case A",
-            tolerance: (0.05, "of the issue"),
+            tolerance: (0.05, "two programs, each with its own integrator and splines"),
         }
         .holds();
     }
@@ -91,7 +92,7 @@ fn benchmark_case_a_of_the_train_propulsion_simulator() {
             expected,
             unit: "kN",
             source: "Train Propulsion Simulator, case A",
-            tolerance: (0.05 * expected, "5 % as the issue has it"),
+            tolerance: (0.05 * expected, "5 %: two programs, each with its own integrator and splines"),
         }
         .holds();
     }

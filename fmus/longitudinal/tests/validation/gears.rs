@@ -48,7 +48,7 @@ fn push(connection: &mut Connection, state: &mut ConnectionState, to: f64, speed
 }
 
 /// Forces of a wedge gear pushed in and coming out: spring force times the ratios of the statics
-/// (project reference 2.2), by hand for φ = 50°, μ₁ = 0.1, μ₂ = 0.3.
+/// (as in Cole 2006, ch. 9, with friction on the wedge besides), by hand for φ = 50°, μ₁ = 0.1, μ₂ = 0.3.
 #[test]
 fn analytic_wedge_gear_follows_its_statics() {
     let mut both = connection(WEDGE, WEDGE);

@@ -1,6 +1,6 @@
 //! What the line does to a vehicle.
 
-use longitudinal::driver::Command;
+use longitudinal::Command;
 use longitudinal::resistance::curve::CurveResistance;
 use longitudinal::resistance::propulsion::Resistance;
 use longitudinal::{Couplers, Wind};
@@ -8,8 +8,9 @@ use track::Track;
 
 use crate::support::*;
 
-/// Source: project reference 3.2 in N/t: 0.0004 m g deg is 6853/R there, with the degree over an arc
-/// of 100 ft and g = 9.81; Roeckl 650/(R − 55) and 500/(R − 30) N/kN; 6116/R.
+/// By hand in N/t: 0.0004 m g deg (manual of the Train Propulsion Simulator, eq. 6) is 6853/R with the
+/// degree over an arc of 100 ft and g = 9.81 m/s²; Roeckl 650/(R − 55) and 500/(R − 30) N/kN; 6116/R
+/// (Cole 2006, ch. 9).
 #[test]
 fn benchmark_curve_resistance_by_formula() {
     let without = "without = ['resistance']\n[resistance]\ncurve_formula";
@@ -34,7 +35,7 @@ fn benchmark_curve_resistance_by_formula() {
             value: curve.force(-1.0 / radius) / 134.0,
             expected,
             unit: "N/t",
-            source: "project reference 3.2",
+            source: "formula by hand",
             tolerance: (5e-4 * expected, "rounding of 6853 and of g there"),
         }
         .holds();
@@ -85,7 +86,7 @@ fn analytic_wind_counts_against_the_heading() {
     }
 }
 
-/// A vehicle that reaches over a step of the gradient feels the mean over its length.
+/// A vehicle that reaches over a step of the gradient has the mean over its length.
 #[test]
 fn analytic_gradient_over_the_length_of_a_vehicle() {
     let text = "gradient = [{ chainage_m = -500, permille = 0 }, { chainage_m = 0, permille = 0 },
@@ -121,13 +122,13 @@ fn analytic_energy_balance_over_a_crest_with_long_vehicles() {
         expected: 0.0,
         unit: "of the work of traction",
         source: "conservation of energy",
-        tolerance: (1e-4, "what the issue asks for; integration errors only"),
+        tolerance: (1e-4, "integration errors only"),
     }
     .holds();
 }
 
 /// Static sag: the force changes from coupler to coupler by the weight of the vehicle between them
-/// along the gradient at its place. The train hangs on its first vehicle, which is braked.
+/// along the gradient under it. The train hangs on its first vehicle, which is braked.
 #[test]
 fn analytic_static_forces_in_a_sag() {
     let text =
