@@ -34,8 +34,9 @@ pub const RAIL_LATERAL_POSITION: f64 = 0.7535;
 mod tests {
     use super::*;
 
-    /// σ = 2 π⁵ k⁴/(15 h³ c²) of the constants that define the SI (BIPM 2019); the tolerance is the
-    /// rounding of σ to ten digits.
+    /// σ = 2 π⁵ k⁴/(15 h³ c²) of the constants that define the SI (BIPM 2019).
+    ///
+    /// The tolerance is the rounding of σ to ten digits.
     #[test]
     fn analytic_stefan_boltzmann_of_the_defining_constants() {
         let (k, h, c) = (1.380_649e-23, 6.626_070_15e-34, 299_792_458.0_f64);

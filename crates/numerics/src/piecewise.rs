@@ -87,8 +87,9 @@ impl Piecewise {
     }
 }
 
-/// Coefficients of the piece of a length, from one value to the next, with the slopes at its ends
-/// for a cubic one.
+/// Coefficients of the piece of a length, from one value to the next.
+///
+/// A cubic one has the slopes at its ends.
 fn piece(length: f64, from: f64, to: f64, slopes: Option<(f64, f64)>) -> [f64; 4] {
     let chord = (to - from) / length;
     match slopes {

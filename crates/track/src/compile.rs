@@ -128,8 +128,7 @@ mod tests {
         assert!((found - expected).abs() <= tolerance, "{found}, expected {expected}");
     }
 
-    /// Transition of 80 m from straight to a right-hand curve of 500 m with 90 mm of cant, and a
-    /// transition of 120 m to a left-hand curve of 750 m with 60 mm of the other hand.
+    /// A right-hand curve of 500 m and a left-hand one of 750 m, with cant and transitions.
     const S_CURVE: &str = "alignment = [
         { length_m = 80, transition = true },
         { length_m = 200, radius_m = 500, cant_mm = 90 },
@@ -154,8 +153,8 @@ mod tests {
         }
     }
 
-    /// A clothoid from one hand to the other turns by the mean of its curvatures times its length,
-    /// and is straight where they cancel: (1/500) l/(1/500 + 1/750) behind its beginning.
+    /// A clothoid from one hand to the other turns by the mean of its curvatures times its length.
+    /// It is straight where they cancel, (1/500) l/(1/500 + 1/750) behind its beginning.
     #[test]
     fn analytic_clothoid_between_two_hands() {
         let track = track(S_CURVE);
@@ -166,8 +165,8 @@ mod tests {
         assert!(at(&track, 500.0).curvature < 0.0);
     }
 
-    /// Cant h over the base of 1.5 m is the angle asin(h/1.5 m), which rises linearly over a
-    /// transition; positive where the right rail is the lower. Rounding.
+    /// Cant h over the base of 1.5 m is the angle asin(h/1.5 m), positive with the right rail lower.
+    /// Over a transition it rises linearly. Rounding.
     #[test]
     fn analytic_cant_ramp() {
         let track = track(S_CURVE);

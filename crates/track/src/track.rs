@@ -102,8 +102,10 @@ impl Track {
         piece.at(distance)
     }
 
-    /// The location at `chainage`; `index` is any number at first and that of the last lookup
-    /// later, so that a lookup near the last one costs little.
+    /// The location at `chainage`, m.
+    ///
+    /// `index` is any number at first and that of the last lookup later, so that a lookup near the
+    /// last one costs little.
     #[inline]
     pub fn locate(&self, chainage: f64, index: &mut usize) -> Location<'_> {
         if chainage < self.begins[0] {
@@ -245,8 +247,8 @@ mod tests {
         nodes.iter().map(|(x, weight)| weight * s * f(s * (1.0 + x) / 2.0)).sum()
     }
 
-    /// Heading and offset are ∫ κ dt and ∫ (s − t) κ dt; the second is Cauchy's formula for a
-    /// repeated integral. Elevation likewise of the gradient. Rounding.
+    /// Heading and offset are ∫ κ dt and, by Cauchy's repeated integration, ∫ (s − t) κ dt.
+    /// Elevation likewise of the gradient. Rounding.
     #[test]
     fn analytic_integrals_of_cubics() {
         for s in [1.0, 40.0, 90.0] {
@@ -304,8 +306,7 @@ mod tests {
         }
     }
 
-    /// Before the first point curvature and gradient stay as they are there, and their integrals
-    /// are those of a circle and of a straight slope.
+    /// Before the first point the track is a circle on a straight slope with the values of there.
     #[test]
     fn analytic_before_its_beginning_a_track_keeps_its_first_values() {
         let point = track().at(60.0, &mut 0);

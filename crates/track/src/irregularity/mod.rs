@@ -46,8 +46,9 @@ pub struct Irregularity {
 }
 
 impl Irregularity {
-    /// Reads the section `[irregularity]` of a track file, and the file with measured values
-    /// that it may name.
+    /// Reads the section `[irregularity]` of a track file.
+    ///
+    /// With it comes the file with measured values that it may name.
     ///
     /// # Errors
     /// When a file cannot be read or a value is not possible.

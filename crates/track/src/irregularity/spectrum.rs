@@ -164,8 +164,9 @@ mod tests {
         assert!((found / expected - 1.0).abs() < 0.15, "{found}, expected {expected}");
     }
 
-    /// ∫ Ω²ᵏ/Π(Ω² + a²) dΩ by partial fractions, from the lowest to the highest wavenumber of
-    /// `spectrum`; k is 0 for two corners and 1 for three.
+    /// ∫ Ω²ᵏ/Π(Ω² + a²) dΩ over the corners a by partial fractions; k is 0 for two and 1 for three.
+    ///
+    /// The limits are the lowest and the highest wavenumber of `spectrum`.
     fn integral(corners: &[f64]) -> f64 {
         let part = |i: usize| {
             let a = corners[i];

@@ -96,8 +96,7 @@ impl AirBrake {
         state.leaked = 0.0;
     }
 
-    /// Takes the cylinder of a vehicle that is `distance`, m, from the source of its air over a time
-    /// `step`, s.
+    /// Advances the cylinder by a time `step`, s, on a vehicle `distance`, m, from the source of its air.
     pub(crate) fn advance(&self, state: &mut BrakeState, distance: f64, step: f64) {
         if let Some(reservoir) = &self.reservoir {
             reservoir.recharge_and_leak(state, distance, step);

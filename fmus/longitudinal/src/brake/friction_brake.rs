@@ -28,7 +28,7 @@ pub struct Brake {
     /// Friction coefficient of the shoes over m/s.
     friction: LinearTable,
     locomotive: Option<LocomotiveBrake>,
-    /// Force of the shoes by the hand brake when fully applied, N; none: there is no hand brake.
+    /// Force of the shoes by the hand brake when fully applied, N, if there is one.
     hand_brake: Option<f64>,
     /// Share of the friction power that goes into one wheel.
     wheel_share: f64,
@@ -73,7 +73,7 @@ impl Brake {
         })
     }
 
-    /// Force of the shoes by a share of the hand brake, N; none when there is none to apply.
+    /// Force of the shoes by a share of the hand brake, N; nothing without a hand brake.
     pub(crate) fn hand_force(&self, share: f64) -> Option<f64> {
         match share {
             0.0 => Some(0.0),
@@ -89,9 +89,10 @@ impl Brake {
         }
     }
 
-    /// Takes the brakes over a time `step`, s, with the commands of the cable and of the
-    /// locomotive brake; an air brake follows what has arrived along the pipe, `distance`, m, from
-    /// the source of its air.
+    /// Advances the brakes by a time `step`, s.
+    ///
+    /// The commands are those by cable and of the locomotive brake; an air brake follows what has
+    /// arrived along the pipe, `distance`, m, from the source of its air.
     #[inline]
     pub(crate) fn advance(
         &self,
@@ -111,8 +112,10 @@ impl Brake {
         }
     }
 
-    /// Greatest force against the motion at a speed, m/s, in N, with `hand_force`, N, on the shoes
-    /// by the hand brake; `index` is the last one in the friction of the shoes.
+    /// Greatest force against the motion at a speed, m/s, in N.
+    ///
+    /// `hand_force` is the force of the shoes by the hand brake, N, and `index` that of the last
+    /// lookup in their friction.
     #[inline]
     pub(crate) fn force(
         &self,

@@ -63,8 +63,9 @@ pub struct ConnectionState {
 }
 
 impl Connection {
-    /// The connection by two gears with `slack` as their whole free play, m, and the distance of the
-    /// vehicles' middles in the middle of the slack, m.
+    /// The connection by two gears with `slack` as their whole free play, m.
+    ///
+    /// `rest_distance` is the distance of the vehicles' middles in the middle of the slack, m.
     pub fn new(gears: Arc<GearPair>, slack: f64, rest_distance: f64) -> Self {
         Self { rest_distance, half_slack: slack / 2.0, gears, index: 0 }
     }
@@ -90,8 +91,9 @@ impl Connection {
         state
     }
 
-    /// Moves the connection to a new deflection, m, with `velocity` as its rate, m/s; gives the
-    /// work done on it, J.
+    /// Moves the connection to a new deflection, m; gives the work done on it, J.
+    ///
+    /// `velocity` is the rate of the deflection, m/s.
     #[inline]
     pub fn move_to(&mut self, state: &mut ConnectionState, deflection: f64, velocity: f64) -> f64 {
         let beyond = deflection.abs() - self.half_slack;

@@ -44,8 +44,8 @@ struct Piece {
     loading_slope: f64,
     unloading: f64,
     unloading_slope: f64,
-    /// Deflection that friction holds when the force is taken away from the unloading curve at
-    /// the beginning of the piece, and at its end, m.
+    /// Deflections that friction holds, m, when the unloading curve is left without force at the
+    /// beginning of the piece and at its end.
     held: f64,
     held_end: f64,
     /// Energy that is stored then, J.
@@ -79,8 +79,10 @@ impl ConnectionSide {
         self.loading.deflection(force)
     }
 
-    /// Force after a move by `moved`, m, to the deflection `beyond` at a speed of being pushed in,
-    /// m/s, from the force `before`, N; `index` is the piece of the last lookup.
+    /// Force after a change of the deflection by `moved`, m, from the force `before`, N.
+    ///
+    /// `beyond` is the new deflection behind the slack, m, `speed` that of being pushed in, m/s, and
+    /// `index` the piece of the last lookup.
     #[inline]
     pub fn force(
         &self,
@@ -115,9 +117,10 @@ impl ConnectionSide {
         self.damping * speed
     }
 
-    /// Energy that the gears give back when they are let go, J (theory, eq. 8); with a transition
-    /// speed, what they give back when they are let go slowly. `index` is the piece of the last
-    /// lookup.
+    /// Energy that the gears give back when they are let go, J (theory, eq. 8).
+    ///
+    /// With a transition speed it is what they give back when they are let go slowly. `index` is the
+    /// piece of the last lookup.
     #[inline]
     pub fn stored_energy(&self, force: f64, beyond: f64, mut index: usize) -> f64 {
         if self.transition_speed > 0.0 {
@@ -138,8 +141,9 @@ impl ConnectionSide {
         piece.held_energy + past * mean_force + force * elastic / 2.0
     }
 
-    /// Greatest stiffness, N/m, and damping, N s/m, that the law can have at a speed of the gears
-    /// up to `speed`, m/s: what limits the step.
+    /// Greatest stiffness, N/m, and damping, N s/m, up to a speed of the gears, m/s.
+    ///
+    /// They limit the step.
     pub fn stiffest(&self, speed: f64) -> (f64, f64) {
         let orifice = self.orifice.iter().flat_map(|orifice| orifice.y());
         let cushion = 2.0 * speed * orifice.fold(0.0, |a: f64, b| a.max(*b));

@@ -3,8 +3,9 @@
 //! One number: from 0 to 1 traction as a share of the highest notch, from 0 to −1 dynamic brake as
 //! a share of full effort. It moves at a constant rate and goes through zero (theory, eq. 13).
 
-/// The lever a time `step`, s, later, moving to `target`; the ramps are the times for the whole
-/// range of traction and of dynamic brake, s.
+/// The lever after a time `step`, s, in which it moves to `target`.
+///
+/// The ramps are the times for the whole range of traction and of dynamic brake, s.
 pub fn moved(
     lever: f64,
     target: f64,

@@ -81,8 +81,9 @@ fn degrees<const N: usize>(value: f64) -> [f64; N] {
     std::array::from_fn(|i| (1.0 - (position - i as f64).abs()).max(0.0))
 }
 
-/// Change of the lever, of its greatest rate, for a speed error and an acceleration, both in terms of
-/// the greatest that the rules know.
+/// Change of the lever by the rules, as a share of its greatest rate.
+///
+/// Speed error and acceleration are shares of the greatest that the rules know.
 fn lever_change(error: f64, acceleration: f64) -> f64 {
     let (errors, accelerations) = (degrees::<5>(error), degrees::<3>(acceleration));
     let mut change = 0.0;

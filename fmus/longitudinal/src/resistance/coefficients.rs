@@ -59,8 +59,9 @@ pub(super) fn square_feet(area: f64) -> f64 {
 pub(super) mod tests {
     use super::*;
 
-    /// Holds the resistance of a wagon of 134 t on four axles, N/t at 0, 20, 40, 60 and 80 km/h,
-    /// against figures by hand; the tolerance is their rounding.
+    /// Compares a wagon of 134 t with figures by hand, N/t at 0, 20, 40, 60 and 80 km/h.
+    ///
+    /// The tolerance is their rounding.
     pub(in crate::resistance) fn assert_newtons_per_tonne(c: Coefficients, expected: [f64; 5]) {
         for (i, expected) in expected.into_iter().enumerate() {
             let speed = 20.0 * i as f64;

@@ -83,8 +83,9 @@ impl Resistance {
         })
     }
 
-    /// Greatest force against the motion at a speed, m/s, in N; at standstill what it takes to
-    /// set the vehicle in motion.
+    /// Greatest force against the motion at a speed, m/s, in N.
+    ///
+    /// At standstill it is what sets the vehicle in motion.
     #[inline]
     pub fn force(&self, speed: f64) -> f64 {
         let rolling = match &self.table {

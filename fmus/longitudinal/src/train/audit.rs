@@ -21,9 +21,10 @@ impl TrainDynamics {
         self.energy_and_heat(state, |_, _, _| {})
     }
 
-    /// The energy that the train has; calls `see` with each `k` and the energy that the gears
-    /// between the vehicles `k` and `k + 1` have turned into heat since the start, J: that of the
-    /// gear of the vehicle in front, and of the one behind it.
+    /// The energy that the train has, and the heat of each draft gear.
+    ///
+    /// Calls `see` with each `k` and the energy that the two gears between the vehicles `k` and
+    /// `k + 1` have turned into heat since the start, J: that of the vehicle in front first.
     pub fn energy_and_heat(
         &self,
         state: &TrainState,

@@ -6,8 +6,9 @@ use crate::history::History;
 use crate::train::dynamics::TrainDynamics;
 
 impl TrainDynamics {
-    /// Finds the group that commands each vehicle's air brake: the nearest of those of the vehicles
-    /// with traction, or the head of the train where there are none.
+    /// Finds the group of locomotives that commands each vehicle's air brake.
+    ///
+    /// It is the nearest one, or the head of the train where no vehicle has traction.
     pub(crate) fn find_sources(&mut self) {
         let mut middle = 0.0;
         let middles: Vec<f64> = self
@@ -34,8 +35,10 @@ impl TrainDynamics {
         }
     }
 
-    /// What the groups have commanded for ever, kept long enough for the farthest vehicle; empty
-    /// when no vehicle has an air brake.
+    /// Histories of the groups' train brakes; empty when no vehicle has an air brake.
+    ///
+    /// They begin with commands that have been the same for ever, and reach back far enough for the
+    /// farthest vehicle.
     pub(crate) fn pipe_histories(&self, commands: &[Command]) -> Vec<History<f64>> {
         let delays = self.vehicles.iter().zip(&self.members).filter_map(|(vehicle, member)| {
             vehicle.brake.air().map(|air| member.source.distance / air.slowest_wave())

@@ -16,8 +16,9 @@ use crate::train::member::Member;
 use crate::train::vehicle::Vehicle;
 use crate::train::vehicle_state::VehicleState;
 
-/// What does not change in a train (but for the indices of the last lookups, which speed up the
-/// next ones and have no influence on results).
+/// What does not change in a train.
+///
+/// Only indices of the last lookups change; they speed up the next ones and do not affect results.
 #[derive(Clone, Debug)]
 pub struct TrainDynamics {
     pub(crate) vehicles: Vec<Arc<Vehicle>>,
@@ -141,8 +142,7 @@ impl TrainDynamics {
         self.members.iter().map(|member| member.group).max().map_or(1, |last| last + 1)
     }
 
-    /// Force that the line takes from the train when all of it is `ahead`, m, further on, at a
-    /// speed, m/s, in N.
+    /// Force that the train needs to keep a speed, m/s, where it will be `ahead`, m, in N.
     pub fn demand(&self, state: &TrainState, ahead: f64, speed: f64) -> f64 {
         let vehicles = self.vehicles.iter().zip(&self.members).zip(&state.vehicles);
         let demand = |((vehicle, member), own): ((&Arc<Vehicle>, &Member), &VehicleState)| {

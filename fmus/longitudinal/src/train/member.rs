@@ -2,8 +2,9 @@
 
 use crate::brake::pipe::Source;
 
-/// A vehicle's part in the train, and the indices of its last lookups, which speed up the next ones
-/// and have no influence on results.
+/// A vehicle's part in the train, and the indices of its last lookups.
+///
+/// The indices speed up the next lookups and do not affect results.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Member {
     /// Group of locomotives whose commands it follows.

@@ -19,8 +19,9 @@ use crate::train::step::LONGEST_STEP;
 const FASTEST_GEAR: f64 = 3.0;
 
 impl TrainDynamics {
-    /// The longest step for which the motion stays bounded, s, and the vehicle, from the head, that
-    /// sets it; infinite without connections.
+    /// The longest stable step, s, and the index of the vehicle that sets it.
+    ///
+    /// Without connections it is infinite.
     pub fn longest_stable_step(&self) -> (f64, usize) {
         let stiffest: Vec<(f64, f64)> =
             self.connections.iter().map(|connection| connection.stiffest(FASTEST_GEAR)).collect();

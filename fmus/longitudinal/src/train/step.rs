@@ -19,13 +19,14 @@ pub const LONGEST_STEP: f64 = 1e-3;
 const TOLERANCE: f64 = 1e-6;
 
 impl TrainDynamics {
-    /// Takes the train over a time `length`, s, with a constant command for all of it.
+    /// Advances the train by a time `length`, s, with a constant command for all of it.
     pub fn advance(&mut self, state: &mut TrainState, command: &Command, length: f64) {
         self.advance_groups(state, std::slice::from_ref(command), length);
     }
 
-    /// Takes the train over a time `length`, s, with a constant command for each group of
-    /// locomotives; groups without one follow the last.
+    /// Advances the train by a time `length`, s, with a constant command for each group.
+    ///
+    /// Groups of locomotives without a command follow the last one.
     pub fn advance_groups(&mut self, state: &mut TrainState, commands: &[Command], length: f64) {
         let count = (length / LONGEST_STEP - TOLERANCE).ceil().max(1.0);
         for _ in 0..count as usize {

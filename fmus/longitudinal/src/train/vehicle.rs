@@ -59,7 +59,7 @@ impl Vehicle {
         })
     }
 
-    /// Puts drive and brake where `command` leads them in the long run.
+    /// Sets drive and brake to what they have after a long time of `command`.
     pub fn settle(&self, state: &mut VehicleState, command: &Command) {
         state.lever = self.lever(0.0, command.lever(), f64::INFINITY);
         state.brake = BrakeState::settled(command.train_brake, command.locomotive_brake);
@@ -147,8 +147,9 @@ impl Vehicle {
             self.brake.force(&state.brake, member.hand_force, speed, &mut member.friction_index);
     }
 
-    /// Force that the vehicle needs to keep a speed, m/s, at a chainage, m, in N; `index` holds
-    /// lookups near by.
+    /// Force that the vehicle needs to keep a speed, m/s, at a chainage, m, in N.
+    ///
+    /// `index` holds lookups near by.
     pub(crate) fn demand(
         &self,
         position: f64,
@@ -161,8 +162,9 @@ impl Vehicle {
             - gravity::force(self.mass, line.gradient)
     }
 
-    /// The line at the vehicle's middle, or its mean over the vehicle's length; `index` holds the
-    /// last lookups.
+    /// The line at the vehicle's middle, or its mean over the vehicle's length.
+    ///
+    /// `index` holds the last lookups.
     #[inline]
     fn line(&self, position: f64, track: &Track, index: &mut [usize; 2]) -> LocalLine {
         match self.along_its_length {

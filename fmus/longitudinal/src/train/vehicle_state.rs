@@ -54,8 +54,10 @@ impl Forces {
         self.resistance + self.curve_resistance + self.brake
     }
 
-    /// The share, from −1 to 1, with which each resisting force acts in the running direction: all
-    /// of it against the motion; at standstill as much as holds the vehicle.
+    /// Share of each resisting force that acts in the running direction, from −1 to 1.
+    ///
+    /// In motion it is all of the force against the motion; at standstill as much as holds the
+    /// vehicle.
     pub fn friction_share(&self, velocity: f64) -> f64 {
         if velocity != 0.0 {
             return -1.0_f64.copysign(velocity);
@@ -68,8 +70,10 @@ impl Forces {
 }
 
 impl VehicleState {
-    /// Adds the impulse of the forces over a time `step`, s; resisting forces stop the vehicle but
-    /// do not turn it back, so that a braked vehicle comes to exactly zero (theory, eq. 3).
+    /// Adds the impulse of the forces over a time `step`, s (theory, eq. 3).
+    ///
+    /// Resisting forces stop the vehicle but do not turn it back, so that the velocity of a braked
+    /// vehicle comes to exactly zero.
     #[inline]
     pub(crate) fn kick(&mut self, inverse_inertia: f64, step: f64) {
         let free = self.velocity + step * inverse_inertia * self.forces.driving();

@@ -92,7 +92,10 @@ fn benchmark_case_a_of_the_train_propulsion_simulator() {
             expected,
             unit: "kN",
             source: "Train Propulsion Simulator, case A",
-            tolerance: (0.05 * expected, "5 %: two programs, each with its own integrator and splines"),
+            tolerance: (
+                0.05 * expected,
+                "5 %: two programs, each with its own integrator and splines",
+            ),
         }
         .holds();
     }
