@@ -2,7 +2,6 @@
 //!
 //! | file | what is tested |
 //! |---|---|
-//! | `architecture.rs` | who may depend on whom |
 //! | `command_line.rs` | answers to wrong input |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `field_lost.rs` | a temperature field that is lost in a run |
@@ -22,7 +21,6 @@
 //! All are one program, since linking is what takes the time of such tests' build. They need the
 //! packed FMUs (`cargo xtask fmus`); `cargo test --release -p hotfoot-tests rails` runs those of `rails.rs`.
 
-mod architecture;
 mod command_line;
 mod determinism;
 mod field_lost;
