@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use miette::{IntoDiagnostic, Result, miette};
 
-use super::{Severity, check, rules};
+use super::package::check;
+use super::rule::Severity;
+use super::rules::rules;
 use crate::check::reference::{self, Verdict};
 use crate::fmi::Import;
 use crate::supervise;
