@@ -11,12 +11,10 @@
 //! | `package.rs` | the files of the FMU, and its binary |
 //! | `terminals.rs` | the terminals |
 //! | `reference/` | the reference result that an FMU carries as a self-test |
-//! | `command.rs` | the command |
 //!
 //! The checkers of other makers each see a part of this (`docs/user-guide/fmus.md` has a table);
 //! a rule that any of them enforces is here.
 
-mod command;
 mod dependencies;
 mod description;
 mod elements;
@@ -36,7 +34,6 @@ mod terminals;
 mod tests;
 mod units;
 
-pub use command::{CheckArguments, command};
 pub use package::check;
 pub use rule::{Finding, Rule, Severity};
 pub use rules::{check_description, rules};

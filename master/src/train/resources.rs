@@ -93,7 +93,8 @@ fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, 
     origins.add("track.toml", &scenario.track.file);
     origins.add("stock", &scenario.stock);
     // A track file that cannot be read is answered by the models, with all that is wrong in it.
-    if let Ok(Some(irregularities)) = track::irregularity::file_beside(&scenario.track.file) {
+    let track = track::TrackFile::read(&scenario.track.file);
+    if let Some(irregularities) = track.ok().and_then(|track| track.measured()) {
         let name = irregularities.file_name().unwrap_or_default();
         copy_file(&irregularities, &folder.join(name))?;
         origins.add(name.display().to_string(), &irregularities);

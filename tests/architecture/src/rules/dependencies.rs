@@ -24,8 +24,8 @@ const MODELS: &[&str] = &["vehicle", "longitudinal", "railheat", "synchronisatio
 /// What stands around a run, and reads and writes its files.
 const OUTSIDE: &[&str] = &[
     "hotfoot",
-    "hotfoot-cli",
-    "hotfoot-tools",
+    "cli",
+    "tools",
     "arrow",
     "arrow-array",
     "arrow-schema",
@@ -52,17 +52,17 @@ const FORBIDDEN: &[Forbidden] = &[
     },
     Forbidden {
         packages: &["master"],
-        dependencies: &[MODELS, &["contact", "stock", "fmu", "hotfoot-tools", "hotfoot-cli"]],
+        dependencies: &[MODELS, &["contact", "stock", "fmu", "tools", "cli"]],
         reason: "the master knows FMUs only by their interface",
     },
     Forbidden {
         packages: &["master"],
-        dependencies: &[&["zarrs"]],
-        reason: "only crates/field knows Zarr",
+        dependencies: &[&["clap", "zarrs"]],
+        reason: "the library reads no command line, and only crates/field knows Zarr",
     },
     Forbidden {
         packages: &["crates/tools"],
-        dependencies: &[&["hotfoot", "hotfoot-cli"]],
+        dependencies: &[&["hotfoot", "cli"]],
         reason: "the engineering commands ask the models and are no part of a run",
     },
     Forbidden {
@@ -72,7 +72,7 @@ const FORBIDDEN: &[Forbidden] = &[
     },
     Forbidden {
         packages: &["crates/files", "crates/validation", "crates/field", "crates/numerics"],
-        dependencies: &[MODELS, &["contact", "stock", "track", "hotfoot", "hotfoot-tools"]],
+        dependencies: &[MODELS, &["contact", "stock", "track", "hotfoot", "tools"]],
         reason: "a package that all may use stands below them",
     },
 ];
