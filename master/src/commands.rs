@@ -13,7 +13,7 @@ use crate::fmi::pack::{self, Binary};
 use crate::run::{self, Options};
 use crate::run::{expected, workplace};
 use crate::scenario::Times;
-use crate::ssp::{self, SystemOptions};
+use crate::ssp;
 use crate::{recording, report, scenario, supervise};
 
 /// Arguments of `hotfoot run`.
@@ -114,9 +114,6 @@ pub fn run(arguments: &RunArguments) -> Result<()> {
 }
 
 fn run_here(arguments: &RunArguments) -> Result<()> {
-    if arguments.scenario.extension().is_some_and(|extension| extension == "ssp") {
-        return run_system(arguments);
-    }
     let options = Options {
         threads: arguments.threads,
         results: arguments.results.clone(),
@@ -128,21 +125,7 @@ fn run_here(arguments: &RunArguments) -> Result<()> {
         },
         quiet: arguments.quiet,
     };
-    let finished = run::run(&arguments.scenario, &options)?;
-    println!("{finished}");
-    Ok(())
-}
-
-fn run_system(arguments: &RunArguments) -> Result<()> {
-    let options = SystemOptions {
-        threads: arguments.threads,
-        results: arguments.results.clone(),
-        duration: arguments.duration,
-        step: arguments.step,
-        interval: arguments.interval,
-        quiet: arguments.quiet,
-    };
-    println!("{}", ssp::run(&arguments.scenario, &options)?);
+    println!("{}", run::run(&arguments.scenario, &options)?);
     Ok(())
 }
 
@@ -155,15 +138,8 @@ pub fn export_ssp(arguments: &ExportArguments) -> Result<()> {
     let name = || workplace::scenario_name(&arguments.scenario);
     let target = arguments.output.clone().unwrap_or_else(|| format!("{}.ssp", name()).into());
     let exported = ssp::export(&arguments.scenario, &fmus, &target)?;
-    println!(
-        "{}: {} components, {} connections",
-        target.display(),
-        exported.components,
-        exported.connections
-    );
-    for difference in exported.differences {
-        println!("note: {difference}");
-    }
+    let ssp::Exported { components, connections } = exported;
+    println!("{}: {components} components, {connections} connections", target.display());
     Ok(())
 }
 

@@ -8,6 +8,7 @@
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
+//! | `resource_paths.rs` | texts that name files in an FMU's own resources |
 //! | `step.rs` | the step, and what each status of it means |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
@@ -24,6 +25,7 @@ mod documentation;
 mod import;
 mod instance;
 pub mod pack;
+mod resource_paths;
 mod step;
 mod unit;
 
@@ -32,3 +34,4 @@ pub use crash::watch as watch_crashes;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;
+pub use resource_paths::with_resource_paths;

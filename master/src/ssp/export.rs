@@ -1,25 +1,21 @@
-//! A scenario's train as a package that other tools run without Hotfoot: the FMUs as packed for
-//! the train, a controller FMU for each vehicle, and what flows between them.
+//! A scenario's train as a package: its structure, with the FMUs as packed for the train and that of
+//! the controllers. Hotfoot runs the package exactly as the scenario; other tools run it without
+//! Hotfoot.
 
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
-use controller::Gains;
-
 use super::error::SspError;
-use super::export_parameters::{constants, gains, parameters};
-use super::export_wiring::{TRAIN, component_name, controller_name};
 use super::read::STRUCTURE_FILE;
 use super::sources::Sources;
 use super::write::write;
 use crate::files::archive;
 use crate::files::file_error::FileError;
 use crate::run::error::RunError;
-use crate::scenario::{self, Scenario, Scheme};
-use crate::system::parallel::{default_threads, pool};
-use crate::system::structure::{Component, Structure};
-use crate::train::lockstep::Lockstep;
-use crate::train::prepare::{Folders, check_fmu, prepare};
-use crate::train::start::{StartError, start_of};
+use crate::run::scenario::placed;
+use crate::scenario;
+use crate::system::structure::{Connector, ConnectorKind, Endpoint, Structure};
+use crate::train::fmus::Folders;
 
 /// What an export tells.
 #[derive(Debug)]
@@ -28,12 +24,7 @@ pub struct Exported {
     pub components: usize,
     /// Number of connections.
     pub connections: usize,
-    /// In what a run of the package differs from a run of the scenario.
-    pub differences: Vec<&'static str>,
 }
-
-/// File of the controller's FMU.
-const CONTROLLER_FMU: &str = "synchronisation.fmu";
 
 /// Writes the scenario at `path` as the package `target`; Hotfoot's own FMUs lie in `fmus`.
 ///
@@ -41,22 +32,15 @@ const CONTROLLER_FMU: &str = "synchronisation.fmu";
 /// When the scenario is wrong, a unit fails, or the package cannot be written.
 pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, RunError> {
     let (scenario, file, _) = scenario::load(path)?;
-    let controller = fmus.join(CONTROLLER_FMU);
-    if !scenario.train_alone {
-        check_fmu(&controller).map_err(RunError::prepare(&file))?;
-    }
     let folder = tempfile::tempdir().map_err(FileError::at(target))?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().join("results") };
-    let mut lockstep = prepare(&scenario, &folders).map_err(RunError::prepare(&file))?;
-    let (start, stop) = (start_of(&scenario), scenario.duration_s);
-    let started = pool(default_threads())?.install(|| lockstep.initialize(start, stop, stop));
-    started.map_err(StartError::from)?;
+    let train = placed(&scenario, &file, &folders)?;
+    // What does not fit its FMUs is told now and not by the tool that runs the package.
+    train.system().map_err(RunError::prepare(&file))?;
 
     let package = folder.path().join("package");
     let mut sources = Sources::new(&package);
-    let mut exporter =
-        Exporter { lockstep: &mut lockstep, sources: &mut sources, folders: &folders };
-    let structure = exporter.structure(&scenario, &controller)?;
+    let structure = packaged(train.structure, &mut sources);
     sources.copy()?;
     let file = package.join(STRUCTURE_FILE);
     std::fs::write(&file, write(&structure)?).map_err(FileError::at(&file))?;
@@ -64,67 +48,90 @@ pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, RunEr
     Ok(Exported {
         components: structure.components.len(),
         connections: structure.connections.len(),
-        differences: differences(&scenario),
     })
 }
 
-/// In what a run of the package differs from a run of the scenario.
-fn differences(scenario: &Scenario) -> Vec<&'static str> {
-    let slow_rail = scenario.heat.as_ref().and_then(|heat| heat.step_s);
-    let stated = [
-        (
-            scenario.scheme == Scheme::Sequential,
-            "the scenario's scheme is sequential; tools that run the package exchange all values \
-             at once, which is scheme = \"jacobi\"",
-        ),
-        (
-            slow_rail.is_some_and(|step| step > scenario.step_s),
-            "heat.step_s: in the package the rail steps with all others",
-        ),
-    ];
-    stated.into_iter().filter(|(differs, _)| *differs).map(|(_, sentence)| sentence).collect()
+/// The structure as it stands in a package: without what belongs to this machine, with its FMUs inside,
+/// and with the connectors that are connected.
+fn packaged(mut structure: Structure, sources: &mut Sources) -> Structure {
+    for component in &mut structure.components {
+        component.name = name_in_package(&component.name);
+        component.source = sources.add(Path::new(&component.source));
+        component.parameters.retain(|parameter| !parameter.local);
+    }
+    for connection in &mut structure.connections {
+        for end in [&mut connection.from, &mut connection.to] {
+            end.element = name_in_package(&end.element);
+        }
+    }
+    with_connectors(structure)
 }
 
-struct Exporter<'e> {
-    lockstep: &'e mut Lockstep,
-    sources: &'e mut Sources,
-    folders: &'e Folders,
+/// Name of a component: `vehicle_17` for `vehicle[17]`, as brackets are no part of an SSP name.
+fn name_in_package(component: &str) -> String {
+    component.replace('[', "_").replace(']', "")
 }
 
-impl Exporter<'_> {
-    fn structure(&mut self, scenario: &Scenario, controller: &Path) -> Result<Structure, SspError> {
-        let mut structure = Structure {
-            name: TRAIN.to_owned(),
-            start: Some(0.0),
-            stop: Some(scenario.duration_s),
-            step: Some(scenario.step_s),
+/// The structure with a connector at each end of a connection.
+fn with_connectors(mut structure: Structure) -> Structure {
+    let Structure { components, connections, .. } = &mut structure;
+    let numbers: HashMap<String, usize> =
+        components.iter().map(|component| component.name.clone()).zip(0..).collect();
+    let mut known: HashSet<&Endpoint> = HashSet::new();
+    for connection in connections.iter() {
+        let ends =
+            [(&connection.from, ConnectorKind::Output), (&connection.to, ConnectorKind::Input)];
+        for (end, kind) in ends {
+            if let Some(&number) = numbers.get(&end.element)
+                && known.insert(end)
+            {
+                let name = end.connector.clone();
+                components[number].connectors.push(Connector { name, kind, unit: None });
+            }
+        }
+    }
+    structure
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interface::si::Linear;
+    use crate::system::structure::{Component, Connection, Parameter, Sampling, Value};
+
+    #[test]
+    fn a_package_holds_its_fmus_its_connectors_and_nothing_of_this_machine() {
+        let component = |name: &str| Component {
+            name: name.to_owned(),
+            source: "/somewhere/wagon.fmu".to_owned(),
+            parameters: vec![
+                Parameter::new("mass", Value::Real(2.0)),
+                Parameter { local: true, ..Parameter::new("file", Value::Text("/tmp".to_owned())) },
+            ],
+            ..Component::default()
+        };
+        let (from, to) = (Endpoint::new("vehicle[1]", "y"), Endpoint::new("vehicle[2]", "u"));
+        let connection = Connection::of(from.clone(), to, Linear::IDENTITY, Sampling::Mean);
+        let other = Connection::of(
+            from,
+            Endpoint::new("vehicle[2]", "w"),
+            Linear::IDENTITY,
+            Sampling::Mean,
+        );
+        let structure = Structure {
+            components: vec![component("vehicle[1]"), component("vehicle[2]")],
+            connections: vec![connection, other],
             ..Structure::default()
         };
-        for (unit, kept) in self.lockstep.units_with_constants() {
-            let mut parameters = parameters(unit.as_mut(), self.folders)?;
-            parameters.extend(constants(unit.as_ref(), kept));
-            structure.components.push(Component {
-                name: component_name(unit.name()),
-                source: self.sources.add(Path::new(unit.source_file())),
-                connectors: vec![],
-                parameters,
-            });
-        }
-        if !self.lockstep.vehicles.is_empty() {
-            let source = self.sources.add(controller);
-            let gains = gains(&Gains::from(&scenario.synchronisation));
-            structure.components.extend((1..=self.lockstep.vehicles.len()).map(|place| {
-                Component {
-                    name: controller_name(place),
-                    source: source.clone(),
-                    connectors: vec![],
-                    parameters: gains.clone(),
-                }
-            }));
-        }
-        for connection in self.lockstep.connections() {
-            structure.connect(connection);
-        }
-        Ok(structure)
+        let packaged = packaged(structure, &mut Sources::new(Path::new("package")));
+        let [first, second] = packaged.components.as_slice() else { panic!("{packaged:?}") };
+        assert_eq!(
+            (first.name.as_str(), first.source.as_str()),
+            ("vehicle_1", "resources/wagon.fmu")
+        );
+        assert_eq!(first.connectors.len(), 1, "an output that is connected twice");
+        assert_eq!(second.connectors.len(), 2);
+        assert_eq!(first.parameters, [Parameter::new("mass", Value::Real(2.0))]);
+        assert_eq!(packaged.connections[0].to, Endpoint::new("vehicle_2", "u"));
     }
 }

@@ -1,4 +1,4 @@
-//! A unit: anything that the lockstep can set, step and read. FMUs are units, and so are the
+//! A unit: anything that a system can set, step and read. FMUs are units, and so are the
 //! mocks of the tests; the loop knows nothing else of them.
 
 use crate::interface::Interface;
@@ -38,6 +38,11 @@ pub trait Unit: Send {
 
     /// The variables of the unit.
     fn interface(&self) -> &Interface;
+
+    /// Whether its step takes less time than it takes to hand it to another thread.
+    fn is_brief(&self) -> bool {
+        false
+    }
 
     /// Sets a String variable.
     ///

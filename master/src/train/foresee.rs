@@ -1,15 +1,33 @@
 //! What can be foreseen before the first step: wheels outside the modelled rail, which heat nothing.
 
-use crate::train::prepare_rail::Extent;
-use crate::train::rail::Rail;
-use crate::train::roles::rail_input;
+use super::layout::Layout;
+use super::rails::Extent;
+use crate::system::step::System;
 
 /// A sentence on wheels that stand outside the modelled rail at the start, and one on wheels that
 /// leave it if they keep their speed for `duration`, s.
-pub fn wheels_outside(rail: &Rail, extent: &Extent, duration: f64) -> Vec<String> {
-    let blocks = || rail.inputs.values.chunks_exact(rail_input::NAMES.len());
-    let positions = || blocks().map(|block| block[rail_input::POSITION]);
-    let ahead = blocks().map(|b| b[rail_input::POSITION] + duration * b[rail_input::SPEED]);
+pub fn wheels_outside(
+    layout: &Layout,
+    system: &mut System,
+    extent: Extent,
+    duration: f64,
+) -> Vec<String> {
+    let mut wheels = vec![];
+    for vehicle in &layout.vehicles {
+        let speed = vehicle.tap_output(system, "velocity");
+        let speed = speed.map_or(0.0, |tap| system.value(&tap));
+        for j in 1..=vehicle.wheelsets {
+            let position = vehicle.tap_wheelset(system, j);
+            wheels.extend(position.map(|tap| (system.value(&tap), speed)));
+        }
+    }
+    sentences(&wheels, extent, duration)
+}
+
+/// The same for wheels with their positions, m, and speeds, m/s.
+fn sentences(wheels: &[(f64, f64)], extent: Extent, duration: f64) -> Vec<String> {
+    let positions = || wheels.iter().map(|(position, _)| *position);
+    let ahead = wheels.iter().map(|(position, speed)| position + duration * speed);
     let (tail, head) = (lowest(positions()), highest(positions()));
     let farthest = highest(ahead);
     let (begin, end) = (extent.begin, extent.begin + extent.length);
@@ -35,4 +53,21 @@ fn lowest(values: impl Iterator<Item = f64>) -> f64 {
 
 fn highest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(f64::NEG_INFINITY, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EXTENT: Extent = Extent { begin: 0.0, length: 100.0 };
+
+    #[test]
+    fn wheels_outside_are_told_at_the_start_and_ahead() {
+        let told = |position, duration| sentences(&[(position, 10.0)], EXTENT, duration);
+        assert_eq!(told(50.0, 4.9), [""; 0]);
+        assert!(told(-1.0, 1.0)[0].contains("from chainage -1.0 m to -1.0 m"));
+        let ahead = told(50.0, 5.1);
+        assert!(ahead[0].contains("comes to chainage 101.0 m") && ahead.len() == 1, "{ahead:?}");
+        assert_eq!(told(101.0, 5.0).len(), 1, "who stands outside does not leave the rail");
+    }
 }

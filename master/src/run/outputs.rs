@@ -1,14 +1,14 @@
 //! Further outputs of the recorded vehicles: those that the scenario names.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
+use super::recorder::{ObserveError, Table};
 use crate::interface::name_pattern::matches;
-use crate::interface::{Variable, VariableType};
+use crate::interface::{Interface, Variable, VariableType};
 use crate::recording::{Column, SeriesWriter, vehicle_keys_of};
-use crate::run::observe::ObserveError;
-use crate::system::port::{Port, Signal};
-use crate::train::lockstep::Vehicle;
+use crate::system::step::System;
+use crate::system::tap::Tap;
+use crate::train::layout::VehicleHolder;
 
 /// Why outputs cannot be recorded.
 #[derive(Debug, thiserror::Error)]
@@ -21,7 +21,7 @@ pub enum OutputsError {
     None {
         /// The name, as the scenario has it.
         pattern: String,
-        /// Places in the train of the recorded vehicles, from one.
+        /// Numbers of the recorded vehicles.
         vehicles: Vec<usize>,
     },
     /// Two vehicles have it in two units.
@@ -34,7 +34,7 @@ pub enum OutputsError {
         name: String,
         /// Its unit in a vehicle.
         unit: String,
-        /// Place of that vehicle.
+        /// Number of that vehicle.
         vehicle: usize,
         /// Its unit before.
         other: String,
@@ -43,70 +43,58 @@ pub enum OutputsError {
 
 /// Records the table `outputs`: a row for each recorded vehicle, a column for each output; outputs
 /// that a vehicle lacks are not-a-number there.
-pub struct OutputRecorder {
+pub struct OutputsTable {
     series: SeriesWriter,
-    /// Place in the train, from zero, and port of each row.
-    rows: Vec<(usize, Port)>,
+    rows: Vec<Vec<Option<Tap>>>,
+    values: Vec<f64>,
 }
 
-impl OutputRecorder {
-    /// Begins the table in `folder`, for the vehicles at `places` (from one); none if no output is
-    /// wanted.
+impl OutputsTable {
+    /// Begins the table in `folder`, for these vehicles with their numbers from one; none if no output
+    /// is wanted.
     ///
     /// # Errors
     /// When a name fits no output, or the folder cannot be written.
     pub fn new(
         patterns: &[String],
-        places: &[usize],
-        vehicles: &[Vehicle],
-        folder: &Path,
-        per_part: usize,
+        recorded: &[(usize, &VehicleHolder)],
+        system: &mut System,
+        (folder, per_part): (&Path, usize),
     ) -> Result<Option<Self>, ObserveError> {
-        let recorded: Vec<_> =
-            places.iter().filter_map(|&place| Some((place, vehicles.get(place - 1)?))).collect();
         if patterns.is_empty() || recorded.is_empty() {
             return Ok(None);
         }
-        let columns = columns(patterns, &recorded)?;
-        let signals: Vec<_> =
-            columns.iter().map(|column| Signal::optional(column.name())).collect();
-        let port = |(place, vehicle): &(usize, &Vehicle)| {
-            let interface = vehicle.unit.interface();
-            let mut port =
-                Port::connect(interface, &signals, "output", &BTreeMap::new()).unwrap_or_default();
-            port.values = vec![f64::NAN; signals.len()];
-            (place - 1, port)
+        let interface = |(number, holder): &(usize, &VehicleHolder)| {
+            let part = system.number(&holder.component)?;
+            Some((*number, system.parts[part].unit.interface()))
         };
-        let keys = vehicle_keys_of(recorded.iter().map(|(place, _)| *place));
+        let interfaces: Vec<_> = recorded.iter().filter_map(interface).collect();
+        let columns = columns(patterns, &interfaces)?;
+        let mut row = |(_, holder): &(usize, &VehicleHolder)| {
+            columns.iter().map(|column| system.tap(&holder.component, column.name())).collect()
+        };
+        let rows = recorded.iter().map(&mut row).collect();
+        let keys = vehicle_keys_of(recorded.iter().map(|(number, _)| *number));
         let series = SeriesWriter::create(folder, "outputs", keys, columns, per_part)?;
-        Ok(Some(Self { series, rows: recorded.iter().map(port).collect() }))
+        Ok(Some(Self { series, rows, values: vec![] }))
     }
+}
 
-    /// Takes the outputs after a step.
-    ///
-    /// # Errors
-    /// When a vehicle does not give them.
-    pub fn observe(&mut self, vehicles: &mut [Vehicle]) -> Result<(), ObserveError> {
-        for (row, (place, port)) in self.rows.iter_mut().enumerate() {
-            port.get(vehicles[*place].unit.as_mut())?;
-            self.series.observe(row, &port.values);
+impl Table for OutputsTable {
+    fn observe(&mut self, _: u64, system: &System) {
+        for (number, row) in self.rows.iter().enumerate() {
+            self.values.clear();
+            let value = |tap: &Option<Tap>| tap.as_ref().map_or(f64::NAN, |tap| system.value(tap));
+            self.values.extend(row.iter().map(value));
+            self.series.observe(number, &self.values);
         }
-        Ok(())
     }
 
-    /// Records the instant.
-    ///
-    /// # Errors
-    /// When a file cannot be written.
-    pub fn record(&mut self, time: f64) -> Result<(), ObserveError> {
+    fn record(&mut self, time: f64) -> Result<(), ObserveError> {
         Ok(self.series.record(time)?)
     }
 
-    /// Completes the files.
-    ///
-    /// # Errors
-    /// When a file cannot be written.
-    pub fn finish(self) -> Result<(), ObserveError> {
+    fn finish(self: Box<Self>) -> Result<(), ObserveError> {
         Ok(self.series.finish()?)
     }
 }
@@ -115,12 +103,12 @@ impl OutputRecorder {
 /// that has them.
 fn columns(
     patterns: &[String],
-    vehicles: &[(usize, &Vehicle)],
+    vehicles: &[(usize, &Interface)],
 ) -> Result<Vec<Column>, OutputsError> {
     let mut columns: Vec<Column> = vec![];
     let mut fitting = vec![false; patterns.len()];
-    for (place, vehicle) in vehicles {
-        let variables = vehicle.unit.interface().variables().into_iter();
+    for (number, interface) in vehicles {
+        let variables = interface.variables().into_iter();
         let is_output = |v: &&Variable| v.causality == "output" && v.kind == VariableType::Real;
         for output in variables.filter(is_output) {
             let mut wanted = false;
@@ -130,7 +118,7 @@ fn columns(
                 wanted |= matching;
             }
             if wanted {
-                add(&mut columns, output, *place)?;
+                add(&mut columns, output, *number)?;
             }
         }
     }
@@ -138,7 +126,7 @@ fn columns(
         None => Ok(columns),
         Some(lonely) => Err(OutputsError::None {
             pattern: patterns[lonely].clone(),
-            vehicles: vehicles.iter().map(|(place, _)| *place).collect(),
+            vehicles: vehicles.iter().map(|(number, _)| *number).collect(),
         }),
     }
 }
