@@ -9,6 +9,7 @@
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
 //! | `expected.rs` | the figures of a run against those expected |
 //! | `progress.rs`, `live.rs` | the progress bar |
+//! | `wiring.rs` | what would be run, without running it |
 //! | `workplace.rs`, `error.rs` | threads and the folder of a run, and why it failed |
 
 mod after;
@@ -25,6 +26,7 @@ mod recorder;
 pub mod scenario;
 mod setup;
 mod train_tables;
+mod wiring;
 pub mod workplace;
 
 use std::path::{Path, PathBuf};
@@ -38,6 +40,7 @@ use live::LiveFigures;
 use progress::Progress;
 use recorder::Recorder;
 use setup::Setup;
+pub use wiring::wiring;
 use workplace::Workplace;
 
 use crate::report::{self, MainFigure};

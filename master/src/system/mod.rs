@@ -9,9 +9,11 @@
 //! | `start.rs` | the initialisation |
 //! | `step.rs`, `clock.rs`, `parallel.rs`, `times.rs` | the step |
 //! | `tap.rs` | signals by name |
+//! | `drawing.rs` | a structure as a person would draw it |
 
 pub mod clock;
 pub mod compile;
+mod drawing;
 pub mod links;
 pub mod parallel;
 pub mod part;

@@ -19,7 +19,7 @@ pub use variable::{RoleVariable, find};
 use tables::{RAIL_INPUT, START, TRAIN_OUTPUT, VEHICLE_INPUT, VEHICLE_OUTPUT, WHEEL, WHEELSET};
 
 /// What an FMU does in a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// The train: one degree of freedom a vehicle.
     Longitudinal,
