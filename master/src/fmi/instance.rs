@@ -7,7 +7,7 @@ use super::binding::{self, Component, FATAL, Functions, OK, Status, WARNING};
 use super::callbacks::{Messages, callbacks};
 use super::crash::calling;
 use super::import::Import;
-use super::step::StateSlot;
+use super::state::StateSlot;
 use crate::interface::VariableType;
 use crate::system::unit::UnitError;
 

@@ -9,7 +9,8 @@
 //! | `import.rs` | an FMU file: unpacked and loaded once |
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
 //! | `resource_paths.rs` | texts that name files in an FMU's own resources |
-//! | `step.rs` | the step, and what each status of it means |
+//! | `origins.rs` | what the files in its resources are copies of |
+//! | `step.rs`, `state.rs` | the step, and what each status of it means |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
 //!
@@ -24,8 +25,10 @@ mod describe;
 mod documentation;
 mod import;
 mod instance;
+mod origins;
 pub mod pack;
 mod resource_paths;
+mod state;
 mod step;
 mod unit;
 
@@ -34,4 +37,5 @@ pub use crash::watch as watch_crashes;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;
+pub use origins::Origins;
 pub use resource_paths::with_resource_paths;

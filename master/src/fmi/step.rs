@@ -24,10 +24,6 @@ enum Outcome {
     Discarded,
 }
 
-/// The state of an instance before a step.
-#[derive(Default)]
-pub(super) struct StateSlot(pub(super) Option<FmuState>);
-
 impl FmuInstance {
     /// Takes the instance from `time` over `length`, s. A step that the FMU discards is done in
     /// parts if that was asked for and the FMU allows it.

@@ -2,8 +2,9 @@
 
 use std::io;
 
+use super::observe_error::ObserveError;
 use super::progress::Progress;
-use super::recorder::{ObserveError, Recorder};
+use super::recorder::Recorder;
 use crate::system::parallel;
 use crate::system::part::Part;
 use crate::system::step::System;

@@ -7,7 +7,7 @@ use miette::Diagnostic;
 use crate::files::file_error::FileError;
 use crate::report::ReportError;
 use crate::run::after::{FailedStep, StepFailure};
-use crate::run::recorder::ObserveError;
+use crate::run::observe_error::ObserveError;
 use crate::scenario::ScenarioError;
 use crate::ssp::SspError;
 use crate::system::parallel::ThreadsError;

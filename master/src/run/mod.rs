@@ -4,20 +4,23 @@
 //! |---|---|
 //! | `mod.rs` | the run |
 //! | `setup.rs`, `scenario.rs`, `package.rs` | what is run |
-//! | `recorder.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs` | what is recorded |
+//! | `recorder.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
 //! | `after.rs` | what the rails go through after the run |
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
 //! | `expected.rs` | the figures of a run against those expected |
 //! | `progress.rs`, `live.rs` | the progress bar |
+//! | `export.rs`, `sources.rs` | a scenario's train as a package |
 //! | `wiring.rs` | what would be run, without running it |
 //! | `workplace.rs`, `error.rs` | threads and the folder of a run, and why it failed |
 
 mod after;
 pub mod error;
 pub mod expected;
+mod export;
 mod finished;
 mod live;
 mod manifest;
+mod observe_error;
 mod output_table;
 mod outputs;
 pub mod package;
@@ -25,6 +28,7 @@ mod progress;
 mod recorder;
 pub mod scenario;
 mod setup;
+mod sources;
 mod train_tables;
 mod wiring;
 pub mod workplace;
@@ -34,6 +38,7 @@ use std::time::Instant;
 
 use after::{Continued, FailedStep, StepFailure};
 use error::RunError;
+pub use export::{Exported, export};
 use finished::Done;
 pub use finished::Finished;
 use live::LiveFigures;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::recorder::ObserveError;
+use super::observe_error::ObserveError;
 use crate::interface::{Variable, VariableType};
 use crate::recording::{Column, Key, SeriesWriter, TIME};
 use crate::report::EnergyLine;

@@ -2,44 +2,14 @@
 
 use std::path::Path;
 
-use super::recorder::{ObserveError, Table};
+use super::observe_error::{ObserveError, OutputsError};
+use super::recorder::Table;
 use crate::interface::name_pattern::matches;
 use crate::interface::{Interface, Variable, VariableType};
 use crate::recording::{Column, SeriesWriter, vehicle_keys_of};
 use crate::system::step::System;
 use crate::system::tap::Tap;
 use crate::train::layout::VehicleHolder;
-
-/// Why outputs cannot be recorded.
-#[derive(Debug, thiserror::Error)]
-pub enum OutputsError {
-    /// No vehicle has such an output.
-    #[error(
-        "record.outputs: no Real output of vehicles {vehicles:?} has the name \"{pattern}\"; \
-         `hotfoot interface FILE.fmu` lists what an FMU has"
-    )]
-    None {
-        /// The name, as the scenario has it.
-        pattern: String,
-        /// Numbers of the recorded vehicles.
-        vehicles: Vec<usize>,
-    },
-    /// Two vehicles have it in two units.
-    #[error(
-        "record.outputs: \"{name}\" is in \"{unit}\" in vehicle {vehicle}, but in \"{other}\" in one \
-         before; one column cannot have both"
-    )]
-    Units {
-        /// Name of the output.
-        name: String,
-        /// Its unit in a vehicle.
-        unit: String,
-        /// Number of that vehicle.
-        vehicle: usize,
-        /// Its unit before.
-        other: String,
-    },
-}
 
 /// Records the table `outputs`: a row for each recorded vehicle, a column for each output; outputs
 /// that a vehicle lacks are not-a-number there.

@@ -1,25 +1,9 @@
 //! What is recorded of a run: tables that see the system after each step.
 
+use super::observe_error::ObserveError;
 use super::output_table::OutputTable;
-use super::outputs::OutputsError;
-use crate::recording::RecordingError;
 use crate::report::EnergyLine;
 use crate::system::step::System;
-use crate::system::unit::UnitError;
-
-/// Why recording failed.
-#[derive(Debug, thiserror::Error)]
-pub enum ObserveError {
-    /// A file cannot be written.
-    #[error(transparent)]
-    Recording(#[from] RecordingError),
-    /// A unit does not give its outputs.
-    #[error(transparent)]
-    Unit(#[from] UnitError),
-    /// The outputs that the scenario names are not there.
-    #[error(transparent)]
-    Outputs(#[from] OutputsError),
-}
 
 /// A table of a run that sees every step.
 pub trait Table: Send {

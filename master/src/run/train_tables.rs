@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use super::observe_error::ObserveError;
 use super::output_table::OutputTable;
 use super::outputs::OutputsTable;
-use super::recorder::{ObserveError, Recorder, Table};
+use super::recorder::{Recorder, Table};
 use crate::interface::VariableType;
 use crate::recording::{
     Key, KeyValues, RAIL_TABLE, SeriesWriter, Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys,

@@ -7,18 +7,15 @@
 //! | `write.rs`, `elements.rs` | from it to a file that other tools accept |
 //! | `schedule.rs` | Hotfoot's annotations: rates, stages and means, which other tools ignore |
 //! | `open.rs` | the FMUs of a package, ready to run |
-//! | `export.rs`, `sources.rs` | a scenario's train as a package |
 //! | `error.rs` | what can be wrong |
 
 mod connect;
 mod elements;
 mod error;
-mod export;
 mod open;
 mod parameters;
 mod read;
 mod schedule;
-mod sources;
 mod units;
 mod write;
 mod xml;
@@ -27,6 +24,6 @@ mod xml;
 mod structure_tests;
 
 pub use error::SspError;
-pub use export::{Exported, export};
 pub use open::open;
-pub use read::read;
+pub use read::{STRUCTURE_FILE, read};
+pub use write::write;

@@ -4,11 +4,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::error::PrepareError;
-use super::resources::Origins;
-use super::structure::Builder;
 use crate::files::file_error::FileError;
 use crate::fmi::pack::{Binary, PackError, pack};
-use crate::fmi::{Import, ImportError};
+use crate::fmi::{Import, ImportError, Origins};
 
 /// Where FMUs come from and go to.
 #[derive(Debug, Clone)]
@@ -19,7 +17,7 @@ pub struct Folders {
     pub results: PathBuf,
 }
 
-impl Builder<'_> {
+impl Folders {
     /// Packs one of Hotfoot's own FMUs with the resources that `write` makes, and imports it.
     pub(super) fn packed(
         &self,
@@ -27,9 +25,9 @@ impl Builder<'_> {
         name: &str,
         write: impl FnOnce(&Path) -> Result<Origins, PackError>,
     ) -> Result<Arc<Import>, PrepareError> {
-        let base = self.folders.fmus.join(format!("{base}.fmu"));
+        let base = self.fmus.join(format!("{base}.fmu"));
         check_fmu(&base)?;
-        let folder = self.folders.results.join("fmus");
+        let folder = self.results.join("fmus");
         std::fs::create_dir_all(&folder).map_err(FileError::at(&folder))?;
         let resources = tempfile::tempdir().map_err(FileError::at(&folder))?;
         let origins = write(resources.path())?;

@@ -26,7 +26,7 @@ impl Builder<'_> {
             self.layout.vehicles.iter().map(|vehicle| vehicle.wheelsets).collect();
         let import = match &self.scenario.fmus.railheat {
             Some(file) => Import::open(file)?,
-            None => self.packed("railheat", "rail", |folder| {
+            None => self.folders.packed("railheat", "rail", |folder| {
                 resources::write_railheat(self.scenario, heat, &wheelsets, folder)
             })?,
         };

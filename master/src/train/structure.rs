@@ -138,7 +138,7 @@ impl Builder<'_> {
     fn train(&mut self) -> Result<(), PrepareError> {
         let import = match &self.scenario.fmus.longitudinal {
             Some(file) => Import::open(file)?,
-            None => self.packed("longitudinal", "train", |folder| {
+            None => self.folders.packed("longitudinal", "train", |folder| {
                 resources::write_longitudinal(self.scenario, folder)
             })?,
         };

@@ -82,7 +82,7 @@ impl<'a> Builder<'a> {
 
     /// Our FMU, packed for a type of vehicle.
     fn of_type(&self, kind: &str) -> Result<VehicleFmu<'static>, PrepareError> {
-        let import = self.packed("vehicle", kind, |folder| {
+        let import = self.folders.packed("vehicle", kind, |folder| {
             resources::write_vehicle(self.scenario, kind, folder)
         })?;
         Ok(VehicleFmu { import, names: &OUR_NAMES })

@@ -6,15 +6,13 @@
 //! | `tables.rs` | the variables of each role |
 //! | `variable.rs` | a variable of a role in an FMU |
 
-use std::collections::BTreeMap;
-
 use crate::interface::Interface;
 
 pub mod tables;
 pub mod variable;
 
 pub use tables::SIDES;
-pub use variable::{RoleVariable, find};
+pub use variable::{Names, RoleVariable, find};
 
 use tables::{RAIL_INPUT, START, TRAIN_OUTPUT, VEHICLE_INPUT, VEHICLE_OUTPUT, WHEEL, WHEELSET};
 
@@ -39,9 +37,6 @@ impl Role {
         }
     }
 }
-
-/// Another maker's names for ours.
-pub type Names = BTreeMap<String, String>;
 
 /// A table of variables under a prefix, with their causality.
 pub type Group = (String, &'static [RoleVariable], &'static str);

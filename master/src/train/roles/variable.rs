@@ -1,9 +1,13 @@
 //! A variable of a role, and how it is found in an FMU.
 
-use super::Names;
+use std::collections::BTreeMap;
+
 use crate::interface::si::{Linear, SignalUnit};
 use crate::interface::{Interface, Variable, VariableType};
 use crate::system::structure::Sampling;
+
+/// Another maker's names for ours.
+pub type Names = BTreeMap<String, String>;
 
 /// A Real variable that a role wants.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::error::SspError;
 use crate::files::file_error::FileError;
 
 /// The FMU files of a package, each once.
@@ -36,7 +35,7 @@ impl Sources {
     }
 
     /// Copies all files into the package.
-    pub(super) fn copy(&self) -> Result<(), SspError> {
+    pub(super) fn copy(&self) -> Result<(), FileError> {
         let folder = self.package.join("resources");
         std::fs::create_dir_all(&folder).map_err(FileError::at(&folder))?;
         for (file, name) in &self.names {

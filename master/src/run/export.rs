@@ -5,15 +5,13 @@
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
-use super::error::SspError;
-use super::read::STRUCTURE_FILE;
+use super::error::RunError;
+use super::scenario::placed;
 use super::sources::Sources;
-use super::write::write;
 use crate::files::archive;
 use crate::files::file_error::FileError;
-use crate::run::error::RunError;
-use crate::run::scenario::placed;
 use crate::scenario;
+use crate::ssp::{STRUCTURE_FILE, SspError, write};
 use crate::system::structure::{Connector, ConnectorKind, Endpoint, Structure};
 use crate::train::fmus::Folders;
 
