@@ -214,14 +214,14 @@ mod tests {
     #[test]
     fn analytic_the_force_is_that_of_the_errors_at_the_beginning_of_the_step() {
         let mut unit: Box<dyn Unit> = Box::new(ControllerUnit::new("controller[1]", "a test"));
-        let reference = |unit: &Box<dyn Unit>, name: &str| unit.reference(name).unwrap();
+        let reference = |name: &str| interface().variable(name).unwrap().reference;
         let gains = Gains { proportional: 2e3, integral: 0.0, derivative: 5e3, limit: 400.0 };
         for parameter in parameters(&gains) {
             let Value::Real(value) = parameter.value else { panic!("{parameter:?}") };
             unit.set_real_parameter(&parameter.name, value).unwrap();
         }
-        let force = [reference(&unit, "sync.force")];
-        let inputs = CONTROLLER_INPUT.iter().map(|variable| reference(&unit, variable.name));
+        let force = [reference("sync.force")];
+        let inputs = CONTROLLER_INPUT.iter().map(|variable| reference(variable.name));
         let inputs: Vec<u32> = inputs.collect();
         unit.enter_initialization(0.0, 1.0).unwrap();
         unit.exit_initialization().unwrap();
