@@ -3,7 +3,7 @@
 
 use super::parallel;
 use super::signals::Signals;
-use super::step::System;
+use super::step::{Stage, System};
 use super::unit::UnitError;
 use crate::interface::VariableType;
 
@@ -48,12 +48,26 @@ impl System {
             part.starts.set(part.unit.as_mut())
         })?;
         self.settle()?;
-        parallel::for_each(&mut self.parts, |part| {
-            part.unit.exit_initialization()?;
-            // Some units compute their outputs only now.
-            part.outputs.get(part.unit.as_mut())
-        })?;
+        for stage in 0..self.stages.len() {
+            self.begin(stage)?;
+        }
         Ok(())
+    }
+
+    /// Ends the initialisation of a stage. Some units compute their outputs only then, so each stage takes
+    /// once more what those before it give.
+    fn begin(&mut self, stage: usize) -> Result<(), UnitError> {
+        let all = vec![true; self.parts.len()];
+        let parts = self.stages[stage].parts.clone();
+        let changed = self.take(stage, &all);
+        let mut concerned: Vec<_> = self.parts[parts].iter_mut().zip(changed).collect();
+        parallel::for_each(&mut concerned, |(part, changed)| {
+            if !changed.is_empty() {
+                part.inputs.set(part.unit.as_mut())?;
+            }
+            part.unit.exit_initialization()?;
+            part.outputs.get(part.unit.as_mut())
+        })
     }
 
     /// Repeats the exchange of initial values until nothing changes.
@@ -78,32 +92,37 @@ impl System {
     /// Takes the initial values of a stage from the parts that are `known`, and gives the inputs that
     /// have changed. What is not known yet leaves the unit's own start values.
     fn sweep(&mut self, stage: usize, known: &[bool]) -> Result<Vec<Input>, UnitError> {
-        let stage = &self.stages[stage];
-        let numbers = stage.parts.clone();
-        let before: Vec<Signals> =
-            self.parts[numbers.clone()].iter().map(|part| part.inputs.clone()).collect();
-        let mut waits = vec![false; self.parts.len()];
-        for gather in &stage.gathers {
-            waits[gather.receiver] |= !known[gather.giver];
-        }
-        for gather in stage.gathers.iter().filter(|gather| !waits[gather.receiver]) {
-            gather.pull_at_start(&mut self.parts);
-        }
-        let mut moved = vec![];
-        let mut concerned = vec![];
-        for ((number, part), before) in numbers.clone().zip(&mut self.parts[numbers]).zip(&before) {
-            let changed = part.inputs.changed_since(before);
-            if !changed.is_empty() || !known[number] {
-                concerned.push((part, !changed.is_empty()));
-            }
-            moved.extend(changed.into_iter().map(|(kind, index)| (number, kind, index)));
-        }
-        parallel::for_each(&mut concerned, |(part, changed)| {
-            if *changed {
+        let numbers = self.stages[stage].parts.clone();
+        let changed = self.take(stage, known);
+        let parts = numbers.clone().zip(&mut self.parts[numbers.clone()]).zip(&changed);
+        let mut concerned: Vec<_> =
+            parts.filter(|((number, _), changed)| !changed.is_empty() || !known[*number]).collect();
+        parallel::for_each(&mut concerned, |((_, part), changed)| {
+            if !changed.is_empty() {
                 part.inputs.set(part.unit.as_mut())?;
             }
             part.outputs.get(part.unit.as_mut())
         })?;
-        Ok(moved)
+        let of_part = |(number, inputs): (usize, Vec<(VariableType, usize)>)| {
+            inputs.into_iter().map(move |(kind, index)| (number, kind, index))
+        };
+        Ok(numbers.zip(changed).flat_map(of_part).collect())
+    }
+
+    /// Hands the values of the parts that are `known` to the parts of a stage whose givers are all
+    /// known, and gives for each part of the stage the inputs that have changed.
+    fn take(&mut self, stage: usize, known: &[bool]) -> Vec<Vec<(VariableType, usize)>> {
+        let Stage { parts, gathers, .. } = &self.stages[stage];
+        let before: Vec<Signals> =
+            self.parts[parts.clone()].iter().map(|part| part.inputs.clone()).collect();
+        let mut waits = vec![false; self.parts.len()];
+        for gather in gathers {
+            waits[gather.receiver] |= !known[gather.giver];
+        }
+        for gather in gathers.iter().filter(|gather| !waits[gather.receiver]) {
+            gather.pull_at_start(&mut self.parts);
+        }
+        let now = self.parts[parts.clone()].iter();
+        now.zip(&before).map(|(part, before)| part.inputs.changed_since(before)).collect()
     }
 }

@@ -91,6 +91,20 @@ fn analytic_every_hop_of_a_chain_takes_one_step() {
     assert_eq!(stepping[..3], [&"set", &"step 0.000", &"get"], "FMI 2.0 §4.2.4");
 }
 
+/// A unit whose output is right only when its initialisation has ended: the next stage starts with it.
+#[test]
+fn a_later_stage_starts_with_what_the_initialisation_of_an_earlier_one_has_given() {
+    let stage = |stage| Schedule { stage, every: 1 };
+    let structure = structure(&[stage(0), stage(1)], &[(0, 1)], 1.0);
+    let calls = Calls::default();
+    let late = |mock: Mock| mock.computing_at_exit();
+    let units = mocks(&structure, &calls, late);
+    let mut system = compiled(&structure, units);
+    in_pool(|| system.initialize(|_| 10.0)).unwrap();
+    assert_eq!(system.parts[1].inputs.reals.values, [1.0], "y = 2·0 + 1");
+    assert_eq!(system.parts[1].outputs.reals.values, [0.0; 0], "nobody takes it");
+}
+
 /// A mock's output does not follow its input before it steps, so a circle of mocks settles.
 #[test]
 fn a_circle_without_feedthrough_settles() {

@@ -103,26 +103,13 @@ impl ControllerUnit {
         self.values[FORCE] = force;
         match force.is_finite() {
             true => Ok(()),
-            false => Err(self.error(
-                "the step",
-                &format!(
-                    "sync.force = {force}: the motions of vehicle and train are too far apart"
-                ),
-            )),
-        }
-    }
-
-    fn unknown(&self, action: &str) -> UnitError {
-        self.error(action, "a controller has Real variables only")
-    }
-
-    fn error(&self, action: &str, message: &str) -> UnitError {
-        UnitError {
-            instance: self.name.as_str().into(),
-            source_file: self.source_file.as_str().into(),
-            action: action.into(),
-            status: None,
-            last_message: Some(message.into()),
+            false => Err(UnitError {
+                instance: self.name.as_str().into(),
+                source_file: self.source_file.as_str().into(),
+                action: format!("the step with sync.force = {force}").into(),
+                status: None,
+                last_message: Some("the motions of vehicle and train are too far apart".into()),
+            }),
         }
     }
 }
@@ -142,30 +129,6 @@ impl Unit for ControllerUnit {
 
     fn is_brief(&self) -> bool {
         true
-    }
-
-    fn set_text(&mut self, _: u32, _: &str) -> Result<(), UnitError> {
-        Err(self.unknown("setting of a String"))
-    }
-
-    fn get_text(&mut self, _: u32) -> Result<String, UnitError> {
-        Err(self.unknown("getting of a String"))
-    }
-
-    fn set_integers(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
-        Err(self.unknown("setting of an Integer"))
-    }
-
-    fn get_integers(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
-        Err(self.unknown("getting of an Integer"))
-    }
-
-    fn set_booleans(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
-        Err(self.unknown("setting of a Boolean"))
-    }
-
-    fn get_booleans(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
-        Err(self.unknown("getting of a Boolean"))
     }
 
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
