@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `mod.rs` | the run |
 //! | `setup.rs`, `scenario.rs`, `package.rs` | what is run |
-//! | `recorder.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
+//! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
 //! | `after.rs` | what the rails go through after the run |
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
 //! | `expected.rs` | the figures of a run against those expected |
@@ -29,6 +29,7 @@ mod recorder;
 pub mod scenario;
 mod setup;
 mod sources;
+mod step_table;
 mod train_tables;
 mod wiring;
 pub mod workplace;

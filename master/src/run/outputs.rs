@@ -3,70 +3,41 @@
 use std::path::Path;
 
 use super::observe_error::{ObserveError, OutputsError};
-use super::recorder::Table;
+use super::step_table::{StepTable, signals};
 use crate::interface::name_pattern::matches;
 use crate::interface::{Interface, Variable, VariableType};
 use crate::recording::{Column, SeriesWriter, vehicle_keys_of};
 use crate::system::step::System;
-use crate::system::tap::Tap;
 use crate::train::layout::VehicleHolder;
 
-/// Records the table `outputs`: a row for each recorded vehicle, a column for each output; outputs
-/// that a vehicle lacks are not-a-number there.
-pub struct OutputsTable {
-    series: SeriesWriter,
-    rows: Vec<Vec<Option<Tap>>>,
-    values: Vec<f64>,
-}
-
-impl OutputsTable {
-    /// Begins the table in `folder`, for these vehicles with their numbers from one; none if no output
-    /// is wanted.
-    ///
-    /// # Errors
-    /// When a name fits no output, or the folder cannot be written.
-    pub fn new(
-        patterns: &[String],
-        recorded: &[(usize, &VehicleHolder)],
-        system: &mut System,
-        (folder, per_part): (&Path, usize),
-    ) -> Result<Option<Self>, ObserveError> {
-        if patterns.is_empty() || recorded.is_empty() {
-            return Ok(None);
-        }
-        let interface = |(number, holder): &(usize, &VehicleHolder)| {
-            let part = system.number(&holder.component)?;
-            Some((*number, system.parts[part].unit.interface()))
-        };
-        let interfaces: Vec<_> = recorded.iter().filter_map(interface).collect();
-        let columns = columns(patterns, &interfaces)?;
-        let mut row = |(_, holder): &(usize, &VehicleHolder)| {
-            columns.iter().map(|column| system.tap(&holder.component, column.name())).collect()
-        };
-        let rows = recorded.iter().map(&mut row).collect();
-        let keys = vehicle_keys_of(recorded.iter().map(|(number, _)| *number));
-        let series = SeriesWriter::create(folder, "outputs", keys, columns, per_part)?;
-        Ok(Some(Self { series, rows, values: vec![] }))
+/// The table `outputs`: a row for each of these vehicles, with their numbers from one, and a column for
+/// each output; outputs that a vehicle lacks are not-a-number there. None if no output is wanted.
+///
+/// # Errors
+/// When a name fits no output, or the folder cannot be written.
+pub fn table(
+    patterns: &[String],
+    recorded: &[(usize, &VehicleHolder)],
+    system: &mut System,
+    (folder, per_part): (&Path, usize),
+) -> Result<Option<StepTable>, ObserveError> {
+    if patterns.is_empty() || recorded.is_empty() {
+        return Ok(None);
     }
-}
-
-impl Table for OutputsTable {
-    fn observe(&mut self, _: u64, system: &System) {
-        for (number, row) in self.rows.iter().enumerate() {
-            self.values.clear();
-            let value = |tap: &Option<Tap>| tap.as_ref().map_or(f64::NAN, |tap| system.value(tap));
-            self.values.extend(row.iter().map(value));
-            self.series.observe(number, &self.values);
-        }
-    }
-
-    fn record(&mut self, time: f64) -> Result<(), ObserveError> {
-        Ok(self.series.record(time)?)
-    }
-
-    fn finish(self: Box<Self>) -> Result<(), ObserveError> {
-        Ok(self.series.finish()?)
-    }
+    let interface = |(number, holder): &(usize, &VehicleHolder)| {
+        let part = system.number(&holder.component)?;
+        Some((*number, system.parts[part].unit.interface()))
+    };
+    let interfaces: Vec<_> = recorded.iter().filter_map(interface).collect();
+    let columns = columns(patterns, &interfaces)?;
+    let mut row = |(_, holder): &(usize, &VehicleHolder)| {
+        let tap = |column: &Column| system.tap(&holder.component, column.name());
+        signals(columns.iter().map(tap).collect(), f64::NAN)
+    };
+    let rows = recorded.iter().map(&mut row).collect();
+    let keys = vehicle_keys_of(recorded.iter().map(|(number, _)| *number));
+    let series = SeriesWriter::create(folder, "outputs", keys, columns, per_part)?;
+    Ok(Some(StepTable::new(series, rows)))
 }
 
 /// The outputs of all these vehicles that fit one of the names, in the order of the first vehicle

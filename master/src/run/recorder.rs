@@ -2,32 +2,15 @@
 
 use super::observe_error::ObserveError;
 use super::output_table::OutputTable;
+use super::step_table::StepTable;
 use crate::report::EnergyLine;
 use crate::system::step::System;
-
-/// A table of a run that sees every step.
-pub trait Table: Send {
-    /// Takes the values after the step to point `k`.
-    fn observe(&mut self, k: u64, system: &System);
-
-    /// Records the instant.
-    ///
-    /// # Errors
-    /// When a file cannot be written.
-    fn record(&mut self, time: f64) -> Result<(), ObserveError>;
-
-    /// Completes the files.
-    ///
-    /// # Errors
-    /// When a file cannot be written.
-    fn finish(self: Box<Self>) -> Result<(), ObserveError>;
-}
 
 /// Records the series of a run.
 #[derive(Default)]
 pub struct Recorder {
     /// Tables that see every step.
-    pub tables: Vec<Box<dyn Table>>,
+    pub tables: Vec<StepTable>,
     /// Tables of what components give at the records.
     pub outputs: Vec<OutputTable>,
     /// The table of what goes on after the run.
@@ -77,7 +60,7 @@ impl Recorder {
     /// # Errors
     /// When a file cannot be written.
     pub fn finish(self) -> Result<(), ObserveError> {
-        self.tables.into_iter().try_for_each(Table::finish)?;
+        self.tables.into_iter().try_for_each(StepTable::finish)?;
         self.outputs.into_iter().chain(self.after).try_for_each(OutputTable::finish)
     }
 }

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use super::observe_error::ObserveError;
 use super::output_table::OutputTable;
-use super::outputs::OutputsTable;
-use super::recorder::{Recorder, Table};
+use super::outputs;
+use super::recorder::Recorder;
+use super::step_table::{Row, StepTable, signals};
 use crate::interface::VariableType;
 use crate::recording::{
     Key, KeyValues, RAIL_TABLE, SeriesWriter, Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys,
@@ -38,20 +39,15 @@ pub fn recorder(
 ) -> Result<Recorder, ObserveError> {
     let part = if scenario.train_alone { PART_OF_A_TRAIN_ALONE_S } else { PART_S };
     let per_part = (part / scenario.record.interval_s).ceil() as usize;
-    let mut tables: Vec<Box<dyn Table>> = vec![];
-    tables.push(Box::new(VehicleTable::new(layout, system, (folder, per_part))?));
+    let series = (folder, per_part);
+    let mut tables = vec![vehicle_table(layout, system, series)?];
     let numbers = scenario.recorded_vehicles();
     let recorded: Vec<(usize, &VehicleHolder)> = numbers
         .iter()
         .filter_map(|&number| Some((number, layout.vehicles.get(number - 1)?)))
         .collect();
-    if let Some(wheels) = WheelTable::new(&recorded, system, (folder, per_part))? {
-        tables.push(Box::new(wheels));
-    }
-    let patterns = &scenario.record.outputs;
-    if let Some(outputs) = OutputsTable::new(patterns, &recorded, system, (folder, per_part))? {
-        tables.push(Box::new(outputs));
-    }
+    tables.extend(wheel_table(&recorded, system, series)?);
+    tables.extend(outputs::table(&scenario.record.outputs, &recorded, system, series)?);
     let of_train: Vec<usize> = system.number(&layout.train).into_iter().collect();
     let of_rails: Vec<usize> =
         layout.rails.iter().filter_map(|rail| system.number(&rail.component)).collect();
@@ -80,10 +76,19 @@ fn value(system: &System, tap: &Option<Tap>) -> f64 {
     tap.as_ref().map_or(0.0, |tap| system.value(tap))
 }
 
-/// Records the table `vehicles`.
-struct VehicleTable {
-    series: SeriesWriter,
-    rows: Vec<VehicleTaps>,
+/// The table `vehicles`.
+fn vehicle_table(
+    layout: &Layout,
+    system: &mut System,
+    (folder, per_part): (&Path, usize),
+) -> Result<StepTable, ObserveError> {
+    let keys = vehicle_keys(layout.count);
+    let series = SeriesWriter::create(folder, "vehicles", keys, VehicleRow::columns(), per_part)?;
+    let mut row = |number| -> Row {
+        let taps = VehicleTaps::new(layout, system, number);
+        Box::new(move |k, system, values| values.extend(taps.row(k, system).values()))
+    };
+    Ok(StepTable::new(series, (1..=layout.count).map(&mut row).collect()))
 }
 
 /// The signals of a vehicle.
@@ -106,20 +111,6 @@ struct BodyTaps {
     sync: Option<Tap>,
     creep_forces: Vec<[Option<Tap>; 2]>,
     friction_powers: Vec<[Option<Tap>; 2]>,
-}
-
-impl VehicleTable {
-    fn new(
-        layout: &Layout,
-        system: &mut System,
-        (folder, per_part): (&Path, usize),
-    ) -> Result<Self, ObserveError> {
-        let keys = vehicle_keys(layout.count);
-        let series =
-            SeriesWriter::create(folder, "vehicles", keys, VehicleRow::columns(), per_part)?;
-        let rows = (1..=layout.count).map(|number| VehicleTaps::new(layout, system, number));
-        Ok(Self { rows: rows.collect(), series })
-    }
 }
 
 impl VehicleTaps {
@@ -187,72 +178,44 @@ impl BodyTaps {
     }
 }
 
-impl Table for VehicleTable {
-    fn observe(&mut self, k: u64, system: &System) {
-        for (number, row) in self.rows.iter().enumerate() {
-            self.series.observe(number, &row.row(k, system).values());
-        }
-    }
-
-    fn record(&mut self, time: f64) -> Result<(), ObserveError> {
-        Ok(self.series.record(time)?)
-    }
-
-    fn finish(self: Box<Self>) -> Result<(), ObserveError> {
-        Ok(self.series.finish()?)
-    }
-}
-
-/// Records the table `wheels`: a row for each wheel of the recorded vehicles.
-struct WheelTable {
-    series: SeriesWriter,
-    /// The wheelset's position, and the wheel's outputs in the order of their role.
-    rows: Vec<Vec<Option<Tap>>>,
-    values: Vec<f64>,
-}
-
-impl WheelTable {
-    /// None where no vehicle has wheels, as in a train alone.
-    fn new(
-        recorded: &[(usize, &VehicleHolder)],
-        system: &mut System,
-        (folder, per_part): (&Path, usize),
-    ) -> Result<Option<Self>, ObserveError> {
-        let (mut keys, mut rows) = (vec![], vec![]);
-        for &(number, holder) in recorded {
-            for j in 1..=holder.wheelsets {
-                for (side, of_series) in SERIES_SIDES.into_iter().enumerate() {
-                    let mut row = vec![holder.tap_wheelset(system, j)];
-                    let mut wheel = |name| holder.tap_wheel(system, (j, side), name);
-                    row.extend(WHEEL.iter().map(|variable| wheel(variable.name)));
-                    keys.push((number, j, of_series));
-                    rows.push(row);
-                }
+/// The table `wheels`: a row for each wheel of these vehicles, with the wheelset's position and the
+/// wheel's outputs in the order of their role. None where no vehicle has wheels, as in a train alone.
+fn wheel_table(
+    recorded: &[(usize, &VehicleHolder)],
+    system: &mut System,
+    (folder, per_part): (&Path, usize),
+) -> Result<Option<StepTable>, ObserveError> {
+    let (mut keys, mut rows) = (vec![], vec![]);
+    for &(number, holder) in recorded {
+        for j in 1..=holder.wheelsets {
+            for (side, of_series) in SERIES_SIDES.into_iter().enumerate() {
+                let mut taps = vec![holder.tap_wheelset(system, j)];
+                let mut wheel = |name| holder.tap_wheel(system, (j, side), name);
+                taps.extend(WHEEL.iter().map(|variable| wheel(variable.name)));
+                keys.push((number, j, of_series));
+                rows.push(signals(taps, 0.0));
             }
         }
-        if rows.is_empty() {
-            return Ok(None);
-        }
-        let keys = wheel_keys(&keys);
-        let series = SeriesWriter::create(folder, "wheels", keys, WheelRow::columns(), per_part)?;
-        Ok(Some(Self { series, rows, values: vec![] }))
     }
+    if rows.is_empty() {
+        return Ok(None);
+    }
+    let keys = wheel_keys(&keys);
+    let series = SeriesWriter::create(folder, "wheels", keys, WheelRow::columns(), per_part)?;
+    Ok(Some(StepTable::new(series, rows)))
 }
 
-impl Table for WheelTable {
-    fn observe(&mut self, _: u64, system: &System) {
-        for (number, row) in self.rows.iter().enumerate() {
-            self.values.clear();
-            self.values.extend(row.iter().map(|tap| value(system, tap)));
-            self.series.observe(number, &self.values);
-        }
-    }
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-    fn record(&mut self, time: f64) -> Result<(), ObserveError> {
-        Ok(self.series.record(time)?)
-    }
-
-    fn finish(self: Box<Self>) -> Result<(), ObserveError> {
-        Ok(self.series.finish()?)
+    /// The columns of the table are the outputs of the role, in the same order.
+    #[test]
+    fn a_wheels_columns_are_its_roles_outputs() {
+        let columns = WheelRow::columns();
+        let names: Vec<_> = columns[1..].iter().map(|column| column.name().to_owned()).collect();
+        let outputs: Vec<_> =
+            WHEEL.iter().map(|variable| variable.name.replace('.', "_")).collect();
+        assert_eq!((columns[0].name(), names), ("position", outputs));
     }
 }
