@@ -7,14 +7,14 @@
 //! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
+//! | `origins.rs` | what its resources are copies of |
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
 //! | `resource_paths.rs` | texts that name files in an FMU's own resources |
-//! | `origins.rs` | what the files in its resources are copies of |
-//! | `step.rs`, `state.rs` | the step, and what each status of it means |
+//! | `step.rs` | the step, and what each status of it means |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
 //!
-//! This is the only place in the master with `unsafe` code.
+//! This is the only part of the master with `unsafe` code.
 
 #![allow(unsafe_code)]
 
@@ -28,7 +28,6 @@ mod instance;
 mod origins;
 pub mod pack;
 mod resource_paths;
-mod state;
 mod step;
 mod unit;
 

@@ -1,5 +1,7 @@
-//! What the files in an FMU's resources are copies of. Messages of an FMU name the copies; the user reads
-//! the names of the files that he wrote.
+//! What the resources of an FMU are copies of.
+//!
+//! Messages of an FMU name the copies in its resources; with their origins, the user reads the names of
+//! the files that he wrote.
 
 use std::path::{Path, PathBuf};
 
@@ -8,21 +10,36 @@ use std::path::{Path, PathBuf};
 pub struct Origins(Vec<(String, PathBuf)>);
 
 impl Origins {
-    /// Copies with their originals.
-    pub fn of<const N: usize>(copies: [(String, PathBuf); N]) -> Self {
-        Self(copies.into())
+    /// Notes that `name` in the resources is a copy of a file or folder.
+    pub fn add(&mut self, name: impl Into<String>, original: &Path) {
+        self.0.push((name.into(), original.to_owned()));
     }
 
-    /// Adds a copy with its original.
-    pub fn add(&mut self, copy: String, original: PathBuf) {
-        self.0.push((copy, original));
-    }
-
-    /// The message with the names of the originals in place of the copies in `folder`.
+    /// The message with the names of the originals instead of the copies in `folder`.
     pub fn rename(&self, message: &str, folder: &Path) -> String {
         let copy = |name: &str| folder.join(name).display().to_string();
         self.0.iter().fold(message.to_owned(), |text, (name, original)| {
             text.replace(&copy(name), &original.display().to_string())
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_names_the_file_that_the_user_wrote() {
+        let mut origins = Origins::default();
+        origins.add("track.toml", Path::new("lines/curve.toml"));
+        origins.add("stock", Path::new("/home/user/stock"));
+        let message =
+            "/tmp/x/resources/track.toml:3: no radius; /tmp/x/resources/stock/vehicles/w.toml";
+        assert_eq!(
+            origins.rename(message, Path::new("/tmp/x/resources")),
+            "lines/curve.toml:3: no radius; /home/user/stock/vehicles/w.toml"
+        );
+        let other = "/tmp/y/resources/track.toml";
+        assert_eq!(origins.rename(other, Path::new("/tmp/x/resources")), other);
     }
 }

@@ -113,7 +113,7 @@ fn in_workplace(
     manifest.write(results)?;
     Ok(Finished {
         name: manifest.system.map(|system| system.name),
-        figures: figures.into_iter().filter(MainFigure::is_told).collect(),
+        figures: figures.into_iter().filter(MainFigure::is_shown).collect(),
         report,
         done,
         times: system.times,

@@ -26,7 +26,7 @@ pub fn write_longitudinal(scenario: &Scenario, folder: &Path) -> Result<Origins,
         copy_file(file, &folder.join(file.file_name().unwrap_or_default()))?;
     }
     let mut origins = write_track_and_stock(scenario, folder)?;
-    origins.add("driver.toml".to_owned(), scenario.driver.file.clone());
+    origins.add("driver.toml", &scenario.driver.file);
     Ok(origins)
 }
 
@@ -42,7 +42,7 @@ pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<O
     write(&folder.join("vehicle.toml"), to_toml(&Vehicle { extends: kind }).as_bytes())?;
     let mut origins = write_track_and_stock(scenario, folder)?;
     let original = scenario.stock.join("vehicles").join(kind).with_added_extension("toml");
-    origins.add("vehicle.toml".to_owned(), original);
+    origins.add("vehicle.toml", &original);
     Ok(origins)
 }
 
@@ -75,12 +75,13 @@ pub fn write_railheat(
     };
     write(&folder.join("railheat.toml"), to_toml(&file).as_bytes())?;
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
-    let mut origins = Origins::of([("track.toml".to_owned(), scenario.track.file.clone())]);
+    let mut origins = Origins::default();
+    origins.add("track.toml", &scenario.track.file);
     for (name, value) in &heat.parameters {
         if let Value::File(original) = value {
             let copy = parameter_file(name, original);
             copy_file(original, &folder.join(&copy))?;
-            origins.add(copy.display().to_string(), original.clone());
+            origins.add(copy.display().to_string(), original);
         }
     }
     Ok(origins)
@@ -88,16 +89,15 @@ pub fn write_railheat(
 
 fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, PackError> {
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
-    let mut origins = Origins::of([
-        ("track.toml".to_owned(), scenario.track.file.clone()),
-        ("stock".to_owned(), scenario.stock.clone()),
-    ]);
+    let mut origins = Origins::default();
+    origins.add("track.toml", &scenario.track.file);
+    origins.add("stock", &scenario.stock);
     // A track file that cannot be read is answered by the models, with all that is wrong in it.
     let track = track::TrackFile::read(&scenario.track.file);
     if let Some(irregularities) = track.ok().and_then(|track| track.measured()) {
         let name = irregularities.file_name().unwrap_or_default();
         copy_file(&irregularities, &folder.join(name))?;
-        origins.add(name.display().to_string(), irregularities);
+        origins.add(name.display().to_string(), &irregularities);
     }
     copy_folder(&scenario.stock, &folder.join("stock"))?;
     Ok(origins)
