@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::import::Import;
 use crate::system::structure::{Component, Parameter, Structure, Value};
 
-/// The structure with paths in place of texts that name a file in the resources of their FMU, as an FMU
+/// The structure with paths instead of texts that name a file in the resources of their FMU, as an FMU
 /// takes a path that begins nowhere for one from the folder in which the program runs.
 pub fn with_resource_paths<'i>(
     structure: &Structure,

@@ -65,7 +65,7 @@ pub struct Options {
     pub results: Option<PathBuf>,
     /// Folder of Hotfoot's own FMUs.
     pub fmus: PathBuf,
-    /// Times in place of the scenario's or the package's.
+    /// Times instead of the scenario's or the package's.
     pub times: Times,
     /// No progress bar.
     pub quiet: bool,

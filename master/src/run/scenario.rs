@@ -28,7 +28,7 @@ pub fn placed(
 ) -> Result<TrainSystem, RunError> {
     let mut train = of_scenario(scenario, folders).map_err(RunError::prepare(file))?;
     let probe = train.probe().map_err(RunError::prepare(file))?;
-    train.place_vehicles(probe)?;
+    train.set_vehicle_starts(probe)?;
     Ok(train)
 }
 

@@ -11,9 +11,9 @@ use super::recorder::Recorder;
 use super::train_tables;
 use crate::scenario::Scenario;
 use crate::system::step::System;
-use crate::train::foresee::wheels_outside;
 use crate::train::layout::Layout;
 use crate::train::rails::RailInForce;
+use crate::train::wheels_outside::wheels_outside;
 
 /// A run that is ready to be initialised.
 pub struct Setup {

@@ -67,7 +67,7 @@ pub fn read(package: &Path) -> Result<Structure, SspError> {
     Ok(structure)
 }
 
-/// The step that libcosim's annotation of the experiment names; SSP 1.0 itself has no place
+/// The step that libcosim's annotation of the experiment names; SSP 1.0 itself has nothing
 /// for it.
 fn step(file: &XmlFile<'_>, experiment: Node<'_, '_>) -> Result<Option<f64>, SspError> {
     let algorithm =

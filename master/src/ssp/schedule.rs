@@ -1,5 +1,5 @@
 //! Hotfoot's own annotations in a structure: when a component steps, and what it gets meanwhile. SSP
-//! 1.0 has no place for that but annotations of a namespace of one's own, which other tools ignore:
+//! 1.0 has nothing for that but annotations of a namespace of one's own, which other tools ignore:
 //!
 //! ```xml
 //! <ssd:Component name="rail" source="resources/rail.fmu">

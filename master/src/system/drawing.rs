@@ -8,7 +8,7 @@ use super::structure::{Component, Connection, Sampling, Schedule, Structure};
 
 /// Like components, which differ in their numbers only.
 struct Group<'s> {
-    /// Their name with `*` in the place of numbers.
+    /// Their name with `*` instead of numbers.
     pattern: String,
     first: &'s str,
     last: &'s str,
@@ -18,7 +18,7 @@ struct Group<'s> {
     schedule: Schedule,
 }
 
-/// Like connections: who gives, who takes, and which variables, with `*` in the place of numbers.
+/// Like connections: who gives, who takes, and which variables, with `*` instead of numbers.
 #[derive(PartialEq)]
 struct Bundle {
     from: String,
@@ -181,7 +181,7 @@ fn note(connection: &Connection, slow: bool) -> String {
     text
 }
 
-/// A name with `*` in the place of numbers in brackets or at its end behind a line: `vehicle[17].force`
+/// A name with `*` instead of numbers in brackets or at its end behind a line: `vehicle[17].force`
 /// and `vehicle_17`.
 fn without_numbers(name: &str) -> String {
     let mut pattern = String::new();

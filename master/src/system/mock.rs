@@ -22,7 +22,7 @@ pub struct Mock {
 }
 
 impl Mock {
-    /// A mock with variables given as (name, causality); a variable's reference is its place.
+    /// A mock with variables given as (name, causality); a variable's reference is its index.
     pub fn new(
         name: &str,
         variables: &[(String, &str)],

@@ -68,7 +68,7 @@ const VALUES: usize = CONTROLLER_INPUT.len() + CONTROLLER_OUTPUT.len() + PARAMET
 const FORCE: usize = CONTROLLER_INPUT.len();
 
 impl ControllerUnit {
-    /// A controller in the place of the FMU `source_file`.
+    /// A controller that stands for the FMU `source_file`.
     pub fn new(name: &str, source_file: &str) -> Self {
         let limit = f64::INFINITY;
         let none = Gains { proportional: 0.0, integral: 0.0, derivative: 0.0, limit };

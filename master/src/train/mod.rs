@@ -9,13 +9,13 @@
 //! | `controller.rs` | the controller of a vehicle |
 //! | `locomotives.rs` | which vehicles are locomotives |
 //! | `signals.rs` | signals of the train by name |
-//! | `foresee.rs` | what is wrong with the run before its first step |
+//! | `wheels_outside.rs` | what is wrong with the run before its first step |
 //! | `traffic.rs`, `tape.rs` | what the rails go through after the run |
 
 pub mod controller;
 pub mod error;
 pub mod fmus;
-pub mod foresee;
+
 pub mod layout;
 pub mod locomotives;
 mod parameters;
@@ -27,6 +27,7 @@ pub mod structure;
 pub mod tape;
 pub mod traffic;
 mod vehicles;
+pub mod wheels_outside;
 mod wiring;
 
 #[cfg(test)]

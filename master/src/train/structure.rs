@@ -247,7 +247,7 @@ impl TrainSystem {
     ///
     /// # Errors
     /// When the train cannot be initialised.
-    pub fn place_vehicles(&mut self, mut probe: System) -> Result<(), StartError> {
+    pub fn set_vehicle_starts(&mut self, mut probe: System) -> Result<(), StartError> {
         if self.layout.vehicles.is_empty() {
             return Ok(());
         }

@@ -63,11 +63,11 @@ mod tests {
 
     #[test]
     fn wheels_outside_are_told_at_the_start_and_ahead() {
-        let told = |position, duration| sentences(&[(position, 10.0)], EXTENT, duration);
-        assert_eq!(told(50.0, 4.9), [""; 0]);
-        assert!(told(-1.0, 1.0)[0].contains("from chainage -1.0 m to -1.0 m"));
-        let ahead = told(50.0, 5.1);
+        let said = |position, duration| sentences(&[(position, 10.0)], EXTENT, duration);
+        assert_eq!(said(50.0, 4.9), [""; 0]);
+        assert!(said(-1.0, 1.0)[0].contains("from chainage -1.0 m to -1.0 m"));
+        let ahead = said(50.0, 5.1);
         assert!(ahead[0].contains("comes to chainage 101.0 m") && ahead.len() == 1, "{ahead:?}");
-        assert_eq!(told(101.0, 5.0).len(), 1, "who stands outside does not leave the rail");
+        assert_eq!(said(101.0, 5.0).len(), 1, "who stands outside does not leave the rail");
     }
 }
