@@ -5,9 +5,12 @@
 //! |---|---|
 //! | `tables.rs` | the variables of each role |
 //! | `variable.rs` | a variable of a role in an FMU |
+//! | `page.rs` | the page of the roles in `modelDescription/README.md` |
 
 use crate::interface::Interface;
 
+#[cfg(test)]
+mod page;
 pub mod tables;
 pub mod variable;
 
