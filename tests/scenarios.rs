@@ -58,7 +58,7 @@ fn start_and_run(scenarios: &[PathBuf]) {
 }
 
 /// The files `scenario.toml` of all folders, every file with a title in `foot-study`, and one beside another.
-fn shipped() -> Vec<PathBuf> {
+pub fn shipped() -> Vec<PathBuf> {
     let files = |folder: PathBuf| std::fs::read_dir(folder).unwrap().flatten().map(|e| e.path());
     let folders = files(root().join("scenarios")).chain(files(root().join("scenarios/benchmarks")));
     let of_folders = folders.map(|folder| folder.join("scenario.toml"));

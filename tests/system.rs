@@ -6,6 +6,7 @@
 //! | `documents.rs` | what README, licences and vocabulary say |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `examples.rs` | the examples |
+//! | `facts.rs` | what the manifest states against what the units have |
 //! | `field_lost.rs` | a temperature field that is lost in a run |
 //! | `fmu_check.rs` | `hotfoot check` |
 //! | `force_balance.rs` | forces balance between the models |
@@ -14,6 +15,7 @@
 //! | `mutations.rs` | mutations of a good FMU |
 //! | `native.rs` | a model called directly and as an FMU |
 //! | `outputs.rs` | further recorded outputs |
+//! | `packages.rs` | packages of scenarios against the scenarios |
 //! | `profile_files.rs` | profiles of vehicle files |
 //! | `rails.rs` | the heated rails |
 //! | `scenarios.rs` | every shipped scenario |
@@ -27,6 +29,7 @@ mod command_line;
 mod determinism;
 mod documents;
 mod examples;
+mod facts;
 mod field_lost;
 mod fmu_check;
 mod force_balance;
@@ -35,6 +38,7 @@ mod hostile;
 mod mutations;
 mod native;
 mod outputs;
+mod packages;
 mod profile_files;
 mod rails;
 mod scenarios;

@@ -3,8 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use hotfoot::run::workplace;
-use hotfoot::ssp;
+use hotfoot::run::{Exported, export, workplace};
 use miette::Result;
 
 use crate::run::default_fmus;
@@ -30,15 +29,8 @@ pub fn export_ssp(arguments: &ExportArguments) -> Result<()> {
     let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
     let name = || workplace::scenario_name(&arguments.scenario);
     let target = arguments.output.clone().unwrap_or_else(|| format!("{}.ssp", name()).into());
-    let exported = ssp::export(&arguments.scenario, &fmus, &target)?;
-    println!(
-        "{}: {} components, {} connections",
-        target.display(),
-        exported.components,
-        exported.connections
-    );
-    for difference in exported.differences {
-        println!("note: {difference}");
-    }
+    let exported = export(&arguments.scenario, &fmus, &target)?;
+    let Exported { components, connections } = exported;
+    println!("{}: {components} components, {connections} connections", target.display());
     Ok(())
 }

@@ -5,6 +5,7 @@
 //! | `run.rs` | `run` |
 //! | `supervise.rs` | a command in a child process, which an FMU may crash |
 //! | `export_ssp.rs`, `pack.rs`, `check.rs` | the commands of the same names |
+//! | `wiring.rs` | `wiring` |
 //! | `results.rs` | `report`, `expect` |
 //! | `interface.rs` | `interface`, `schema` |
 //!
@@ -17,6 +18,7 @@ mod pack;
 mod results;
 mod run;
 mod supervise;
+mod wiring;
 
 use std::path::PathBuf;
 
@@ -37,6 +39,9 @@ enum Command {
     Run(run::RunArguments),
     /// Write a scenario's train as an SSP package for other tools
     ExportSsp(export_ssp::ExportArguments),
+    /// Show what a scenario or an SSP package consists of: components, when they step, and what flows
+    /// between them
+    Wiring(wiring::WiringArguments),
     /// Make the report of a results folder again
     Report {
         /// Folder that a run has written
@@ -82,6 +87,7 @@ fn main() -> miette::Result<()> {
     match Arguments::parse().command {
         Command::Run(arguments) => run::run(&arguments),
         Command::ExportSsp(arguments) => export_ssp::export_ssp(&arguments),
+        Command::Wiring(arguments) => wiring::print(&arguments),
         Command::Report { results } => results::report(&results),
         Command::Expect { results, expected } => results::expect(&results, &expected),
         Command::Check(arguments) => check::check(&arguments),

@@ -6,7 +6,6 @@ use clap::Args;
 use hotfoot::recording;
 use hotfoot::run::{self, Options, workplace};
 use hotfoot::scenario::Times;
-use hotfoot::ssp::{self, SystemOptions};
 use miette::{IntoDiagnostic, Result, miette};
 
 use crate::supervise;
@@ -67,9 +66,6 @@ pub fn run(arguments: &RunArguments) -> Result<()> {
 }
 
 fn run_here(arguments: &RunArguments) -> Result<()> {
-    if arguments.scenario.extension().is_some_and(|extension| extension == "ssp") {
-        return run_system(arguments);
-    }
     let options = Options {
         threads: arguments.threads,
         results: arguments.results.clone(),
@@ -81,21 +77,7 @@ fn run_here(arguments: &RunArguments) -> Result<()> {
         },
         quiet: arguments.quiet,
     };
-    let finished = run::run(&arguments.scenario, &options)?;
-    println!("{finished}");
-    Ok(())
-}
-
-fn run_system(arguments: &RunArguments) -> Result<()> {
-    let options = SystemOptions {
-        threads: arguments.threads,
-        results: arguments.results.clone(),
-        duration: arguments.duration,
-        step: arguments.step,
-        interval: arguments.interval,
-        quiet: arguments.quiet,
-    };
-    println!("{}", ssp::run(&arguments.scenario, &options)?);
+    println!("{}", run::run(&arguments.scenario, &options)?);
     Ok(())
 }
 

@@ -1,13 +1,16 @@
 //! The master of Hotfoot: runs a train, its vehicles and a rail as FMI 2.0 co-simulation FMUs in
 //! lockstep. It knows FMUs only by their interface. The program is the package `cli`.
 //!
+//! A scenario and an SSP package both become a [`Structure`]: components and what flows between them.
+//! One loop steps it (`system/step.rs`), and one run records it (`run/mod.rs`).
+//!
 //! | room | part |
 //! |---|---|
 //! | `scenario/` | the scenario file |
-//! | `train/` | from a scenario to wired units, and their steps |
-//! | `system/` | models, the signals they exchange, structures of them |
+//! | `train/` | a train as a system: from a scenario to a structure, with one table of its wiring |
+//! | `ssp/` | structures in SSP packages: read, written, and exported from a scenario |
+//! | `system/` | structures, and the one loop that steps them |
 //! | `run/` | a run and what is kept of it |
-//! | `ssp/` | systems of FMUs in SSP packages: export of a train, and runs of any system |
 //! | `fmi/` | import and packing of FMUs |
 //! | `interface/` | what an FMU's model description says, and units of measurement |
 //! | `check/` | the rules of FMI 2.0 for an FMU, and the reference result that it carries |
@@ -30,11 +33,8 @@ pub use files::archive;
 pub use fmi::{FmuInstance, Import, pack, watch_crashes};
 pub use interface::Interface;
 pub use run::error::RunError;
-pub use system::parallel::pool;
-pub use system::port::{Port, Signal};
+pub use run::{Finished, Options, run};
+pub use system::structure::Structure;
 pub use system::unit::{Unit, UnitError};
-pub use train::lockstep::{Clock, Lockstep, Train, Vehicle};
-pub use train::prepare::{Folders, prepare};
-pub use train::rail::Rail;
-pub use train::roles;
-pub use train::roles::Role;
+pub use train::fmus::Folders;
+pub use train::roles::{self, Role};

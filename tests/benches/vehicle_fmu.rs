@@ -8,8 +8,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use hotfoot::roles::{vehicle_input, vehicle_output};
-use hotfoot::{FmuInstance, Import, Interface, Unit};
+use hotfoot::{FmuInstance, Import, Unit, roles};
 
 const STEP: f64 = 1e-3;
 const CURVE: &str = "alignment = [{ length_m = 1e6, radius_m = 800.0 }]";
@@ -31,8 +30,8 @@ impl Coupled {
     fn new(import: &Arc<Import>, track: &Path, position: f64) -> Self {
         let interface = import.interface();
         let reference = |name: &str| interface.variable(name).expect(name).reference;
-        let names = vehicle_input::NAMES;
-        let force = |name: &&str| match *name {
+        let (names, names_of_outputs) = (names("input"), names("output"));
+        let force = |name: &String| match name.as_str() {
             "traction.force" | "coupler.rear.force" => 100e3,
             _ => 0.0,
         };
@@ -40,7 +39,7 @@ impl Coupled {
             instance: FmuInstance::new(import, "vehicle").expect("an instance"),
             inputs: names.iter().map(|name| reference(name)).collect(),
             forces: names.iter().map(force).collect(),
-            outputs: outputs(interface),
+            outputs: names_of_outputs.iter().map(|name| reference(name)).collect(),
             values: Vec::new(),
             steps: 0,
         };
@@ -64,17 +63,13 @@ impl Coupled {
     }
 }
 
-/// What a master reads each step.
-fn outputs(interface: &Interface) -> Vec<u32> {
-    let mut names: Vec<String> = vehicle_output::NAMES.map(str::to_owned).to_vec();
-    for wheelset in 1..=WHEELSETS {
-        names.push(format!("wheelset[{wheelset}].position"));
-        for side in hotfoot::roles::SIDES {
-            let of_wheel = |name| format!("wheelset[{wheelset}].{side}.{name}");
-            names.extend(vehicle_output::WHEEL_NAMES.map(of_wheel));
-        }
-    }
-    names.iter().map(|name| interface.variable(name).expect(name).reference).collect()
+/// What a master sets or reads each step.
+fn names(causality: &str) -> Vec<String> {
+    let groups = roles::vehicle(WHEELSETS).into_iter().filter(|(_, _, other)| *other == causality);
+    let names = |(prefix, variables, _): roles::Group| {
+        variables.iter().map(move |variable| format!("{prefix}{}", variable.name))
+    };
+    groups.flat_map(names).collect()
 }
 
 fn steps(criterion: &mut Criterion) {

@@ -244,9 +244,9 @@ mod tests {
         let mut bytes = fs::read(&path).unwrap();
         let directory = bytes.windows(4).position(|mark| mark == b"PK\x01\x02").unwrap();
         // Local header: size at 22; directory: size at 24.
-        for place in [22, directory + 24] {
-            assert_eq!(bytes[place], 7);
-            bytes[place] = 1;
+        for offset in [22, directory + 24] {
+            assert_eq!(bytes[offset], 7);
+            bytes[offset] = 1;
         }
         fs::write(&path, bytes).unwrap();
         let error = unpack_within(SMALL, &path, &folder.path().join("target")).unwrap_err();

@@ -9,6 +9,7 @@
 //! | `import.rs` | an FMU file: unpacked and loaded once |
 //! | `origins.rs` | what its resources are copies of |
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
+//! | `resource_paths.rs` | texts that name files in an FMU's own resources |
 //! | `step.rs` | the step, and what each status of it means |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
@@ -26,6 +27,7 @@ mod import;
 mod instance;
 mod origins;
 pub mod pack;
+mod resource_paths;
 mod step;
 mod unit;
 
@@ -35,3 +37,4 @@ pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;
 pub use origins::Origins;
+pub use resource_paths::with_resource_paths;

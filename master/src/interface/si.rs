@@ -1,5 +1,5 @@
 //! Units as FMI 2.0 §2.2.2 and SSP 1.0 §4.4 state them: exponents of the SI base units, and the
-//! linear way to them.
+//! linear conversion to them.
 
 use std::fmt;
 
@@ -35,17 +35,26 @@ impl fmt::Display for Dimension {
     }
 }
 
+/// The SI unit in which a signal is exchanged.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SignalUnit {
+    /// Symbol, such as `N`.
+    pub symbol: &'static str,
+    /// What it is in base units; its factor is one.
+    pub dimension: Dimension,
+}
+
 /// A unit: a value x in it is `to_base.apply(x)` in SI base units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SiUnit {
     /// Exponents of the base units.
     pub dimension: Dimension,
-    /// The way to base units.
+    /// The conversion to base units.
     pub to_base: Linear,
 }
 
 impl SiUnit {
-    /// The way of a value in this unit to the unit `other`; none where they measure different
+    /// The conversion of a value in this unit to the unit `other`; none where they measure different
     /// things.
     pub fn to(&self, other: &Self) -> Option<Linear> {
         (self.dimension == other.dimension).then(|| match self == other {
@@ -73,7 +82,7 @@ impl Linear {
         self.factor * x + self.offset
     }
 
-    /// The way back.
+    /// The conversion back.
     pub fn inverse(&self) -> Self {
         Self { factor: 1.0 / self.factor, offset: -self.offset / self.factor }
     }

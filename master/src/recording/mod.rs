@@ -37,6 +37,9 @@ pub use writer::SeriesWriter;
 /// Name of the first column of every table.
 pub const TIME: &str = "time";
 
+/// Name of the table of the rails.
+pub const RAIL_TABLE: &str = "rail";
+
 /// Why a series cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordingError {

@@ -8,8 +8,7 @@ use super::error::ReportError;
 use super::facts::{EnergyLine, RailFacts};
 use super::main_figures::largest;
 use super::quantity::{round_with_unit, seconds, with_unit};
-use crate::recording::{KeyValue, RecordingError, SeriesReader};
-use crate::run::observe_rail::TABLE;
+use crate::recording::{KeyValue, RAIL_TABLE, RecordingError, SeriesReader};
 
 /// The sources of heat as the rail's outputs name them, and in words.
 pub(super) const SOURCES: [(&str, &str); 4] = [
@@ -30,7 +29,7 @@ pub(super) struct RailSeries<'r> {
 
 /// Reads what the report shows of each rail; the fields are left to the caller.
 pub(super) fn of_run(folder: &Path, facts: &RailFacts) -> Result<Vec<RailData>, ReportError> {
-    let table = SeriesReader::open(&folder.join("series"), TABLE)?;
+    let table = SeriesReader::open(&folder.join("series"), RAIL_TABLE)?;
     let rail = |side: &String| {
         let series = RailSeries { table: &table, side };
         let mut figures = series.extremes()?;

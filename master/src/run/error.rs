@@ -6,14 +6,14 @@ use miette::Diagnostic;
 
 use crate::files::file_error::FileError;
 use crate::report::ReportError;
-use crate::run::observe::ObserveError;
-use crate::run::stepping::{FailedStep, StepFailure};
+use crate::run::after::{FailedStep, StepFailure};
+use crate::run::observe_error::ObserveError;
 use crate::scenario::ScenarioError;
 use crate::ssp::SspError;
 use crate::system::parallel::ThreadsError;
+use crate::system::start::StartError;
 use crate::system::unit::UnitError;
-use crate::train::prepare::PrepareError;
-use crate::train::start::StartError;
+use crate::train::error::PrepareError;
 
 /// Why a run of a scenario or of a system, or an export, failed.
 #[derive(Debug, thiserror::Error, Diagnostic)]

@@ -10,7 +10,7 @@
 //! source = "where the value comes from"
 //! [[figure]]
 //! key = "outputs.*.derailment_quotient.highest"
-//! at_most = 0.8                       # a limit, or at_least, or both, in place of a value
+//! at_most = 0.8                       # a limit, or at_least, or both, instead of a value
 //! source = "where the limit comes from"
 //! ```
 

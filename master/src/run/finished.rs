@@ -10,10 +10,13 @@ use crate::system::times::StepTimes;
 /// What a finished run tells.
 #[derive(Debug)]
 pub struct Finished {
+    /// Name of the system, where it is not a train of a scenario.
+    pub(crate) name: Option<String>,
     pub(crate) report: PathBuf,
     pub(crate) done: Done,
     pub(crate) times: StepTimes,
-    pub(crate) vehicles: usize,
+    /// The stages by name, with their number of units.
+    pub(crate) stages: Vec<(String, usize)>,
     pub(crate) threads: usize,
     pub(crate) figures: Vec<MainFigure>,
     pub(crate) warnings: Vec<String>,
@@ -22,7 +25,7 @@ pub struct Finished {
 /// How far a run has come, and in which wall time.
 #[derive(Debug)]
 pub(crate) struct Done {
-    /// Time of the train, s.
+    /// Simulated time, s.
     pub simulated: f64,
     /// Time of the rails, s.
     pub rails: f64,
@@ -36,26 +39,31 @@ impl fmt::Display for Finished {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Done { simulated, rails, wall, steps } = &self.done;
         let wall = wall.as_secs_f64();
+        if let Some(name) = &self.name {
+            write!(f, "{name}: ")?;
+        }
         writeln!(
             f,
             "{simulated:.1} s simulated in {wall:.1} s: {:.2} times real time with {} threads",
             simulated / wall,
             self.threads
         )?;
+        let times = &self.times;
         if rails > simulated {
-            let after = self.times.rails_after.as_secs_f64();
+            let after = times.after.as_secs_f64();
             writeln!(f, "rails alone or under further trains until {rails:.1} s: {after:.1} s")?;
         }
         let per_step = |time: Duration| time.as_secs_f64() * 1e6 / *steps as f64;
-        let times = &self.times;
-        write!(f, "per step: train {:.1} µs, ", per_step(times.train))?;
-        if self.vehicles > 0 {
-            let vehicles = per_step(times.vehicles);
-            let each = vehicles * self.threads as f64 / self.vehicles as f64;
-            write!(f, "vehicles {vehicles:.1} µs ({each:.2} µs a vehicle and thread), ")?;
-            let rail = per_step(times.rail);
-            let share = 100.0 * rail / per_step(times.of_steps());
-            write!(f, "rail {rail:.1} µs ({share:.1} % of all), ")?;
+        let all = per_step(times.of_steps());
+        write!(f, "per step: ")?;
+        for ((stage, units), time) in self.stages.iter().zip(&times.stages) {
+            let time = per_step(*time);
+            write!(f, "{stage} {time:.1} µs ({:.1} % of all", 100.0 * time / all)?;
+            if *units > self.threads {
+                let each = time * self.threads as f64 / *units as f64;
+                write!(f, ", {each:.2} µs a unit and thread")?;
+            }
+            write!(f, "), ")?;
         }
         writeln!(
             f,

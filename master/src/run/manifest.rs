@@ -7,25 +7,27 @@ use std::time::Duration;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
+use super::output_table::table_name;
 use crate::files::file_error::FileError;
-use crate::report::{MainFigure, RailFacts, RunFacts};
-use crate::scenario::{Heat, Scenario};
-use crate::system::times::StepTimes;
-use crate::system::unit::Unit;
-use crate::train::lockstep::Lockstep;
-use crate::train::prepare_rail::{Extent, field_file};
-use crate::train::traffic::Traffic;
+use crate::report::{ComponentFacts, MainFigure, RunFacts, SystemFacts};
+use crate::system::step::System;
 
-/// What made the results of a run.
+/// What made the results of a run: of a scenario's train, or of any other system.
 #[derive(Debug, Serialize)]
 pub struct Manifest {
     #[serde(flatten)]
     origin: Origin,
     /// Simulated time reached, s; 0 while the run has not ended.
     simulated_s: f64,
-    scenario: String,
-    /// What the report shows of the run.
-    pub run: RunFacts,
+    /// Text of the scenario.
+    pub scenario: Option<String>,
+    /// What the report shows of a train's run.
+    pub run: Option<RunFacts>,
+    /// What the report shows of another system's run.
+    pub system: Option<SystemFacts>,
+    /// What the units warned of, and what else the user should know.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
     wall_time_of: Vec<WallTime>,
     fmu: Vec<FmuEntry>,
     /// The main figures of the report, for programs.
@@ -55,7 +57,7 @@ impl Origin {
 /// Wall time of a part of all steps.
 #[derive(Debug, Serialize)]
 struct WallTime {
-    part: &'static str,
+    part: String,
     seconds: f64,
 }
 
@@ -68,46 +70,45 @@ pub struct FmuEntry {
 }
 
 impl Manifest {
-    /// A manifest of a run that begins.
-    pub fn new(scenario: &Scenario, text: String, threads: usize, lockstep: &Lockstep) -> Self {
-        let run = RunFacts {
-            title: scenario.title.clone(),
-            train_alone: scenario.train_alone,
-            vehicles: scenario.vehicle_count(),
-            plotted: scenario.recorded_vehicles(),
-            outputs: scenario.record.outputs.clone(),
-            rails: scenario.heat.as_ref().map(|heat| rail_facts(scenario, heat, lockstep)),
-            heat_maps_at_s: scenario.record.heat_maps_at_s.clone(),
-            curves_m: curves(&scenario.track.file),
-            step_s: scenario.step_s,
-            threads,
-            ..RunFacts::default()
-        };
+    /// A manifest of a system whose run begins.
+    pub fn new(system: &System) -> Self {
         Self {
             origin: Origin::new(),
             simulated_s: 0.0,
-            scenario: text,
-            run,
+            scenario: None,
+            run: None,
+            system: None,
+            warnings: vec![],
             wall_time_of: vec![],
-            fmu: fmus(lockstep.units()),
+            fmu: fmus(system),
             figure: vec![],
         }
     }
 
-    /// Adds what is known at the end.
-    pub fn finish(&mut self, simulated: f64, wall: Duration, times: &StepTimes) {
+    /// Adds what is known at the end: how far the run came in which wall time, and where that went;
+    /// `stages` are the names of the stages.
+    pub fn finish(&mut self, simulated: f64, wall: Duration, system: &System, stages: &[String]) {
+        let times = &system.times;
         self.simulated_s = simulated;
-        self.run.wall_time_s = Some(wall.as_secs_f64());
-        let parts = [
-            ("train", times.train),
-            ("vehicles", times.vehicles),
-            ("rail", times.rail),
+        if let Some(run) = &mut self.run {
+            run.wall_time_s = Some(wall.as_secs_f64());
+        }
+        if let Some(facts) = &mut self.system {
+            facts.simulated_s = simulated;
+            facts.wall_time_s = Some(wall.as_secs_f64());
+            facts.recording_s = times.recording.as_secs_f64();
+            facts.component = component_facts(system);
+        }
+        let of_stages = stages.iter().cloned().zip(times.stages.iter().copied());
+        let others = [
             ("exchange", times.exchange),
             ("recording", times.recording),
-            ("rails after the run", times.rails_after),
+            ("rails after the run", times.after),
         ];
-        self.wall_time_of =
-            parts.map(|(part, time)| WallTime { part, seconds: time.as_secs_f64() }).into();
+        let others = others.map(|(part, time)| (part.to_owned(), time));
+        let wall_time =
+            |(part, time): (String, Duration)| WallTime { part, seconds: time.as_secs_f64() };
+        self.wall_time_of = of_stages.chain(others).map(wall_time).collect();
     }
 
     /// Writes the manifest into the results folder.
@@ -115,42 +116,29 @@ impl Manifest {
     /// # Errors
     /// When the file cannot be written.
     pub fn write(&self, results: &Path) -> Result<(), FileError> {
-        write_toml(self, results)
+        let path = results.join("manifest.toml");
+        let text = toml::to_string(self).expect("a manifest is a TOML table");
+        std::fs::write(&path, text).map_err(FileError::at(&path))
     }
 }
 
-/// What the run knows of the heated rails.
-fn rail_facts(scenario: &Scenario, heat: &Heat, lockstep: &Lockstep) -> RailFacts {
-    let run = (scenario.duration_s / scenario.step_s).round() as u64;
-    RailFacts {
-        sides: lockstep.rails.iter().map(|rail| rail.side_name().to_owned()).collect(),
-        fields: lockstep.rails.iter().map(|rail| field_file(heat, rail.side)).collect(),
-        model: heat.model.clone(),
-        length_m: Extent::of(scenario, heat).length,
-        detection_threshold_k: 1e-3 * heat.detection_threshold_mk,
-        trains: heat.trains.count,
-        last_train_end_s: Traffic::of(heat).last_train_end(lockstep.rails_time(run)),
-    }
+/// What the run knows of each component.
+pub fn component_facts(system: &System) -> Vec<ComponentFacts> {
+    let facts = |part: &crate::system::part::Part| {
+        let file = Path::new(part.unit.source_file()).file_name().unwrap_or_default();
+        ComponentFacts {
+            name: part.unit.name().to_owned(),
+            fmu: file.to_string_lossy().into_owned(),
+            series: table_name(part.unit.as_ref()),
+            wall_time_s: part.wall.as_secs_f64(),
+        }
+    };
+    system.parts.iter().map(facts).collect()
 }
 
-/// Writes a manifest into the results folder.
-///
-/// # Errors
-/// When the file cannot be written.
-pub fn write_toml(manifest: &impl Serialize, results: &Path) -> Result<(), FileError> {
-    let path = results.join("manifest.toml");
-    let text = toml::to_string(manifest).expect("a manifest is a TOML table");
-    std::fs::write(&path, text).map_err(FileError::at(&path))
-}
-
-/// The curves of the track, for the figures; a track that cannot be read has none here, since
-/// the units that need it have already said so.
-fn curves(track: &Path) -> Vec<[f64; 2]> {
-    track::Track::from_file(track).map(|track| track.curves()).unwrap_or_default()
-}
-
-/// The FMUs that the units of a run are instances of.
-pub fn fmus<'u>(units: impl Iterator<Item = &'u dyn Unit>) -> Vec<FmuEntry> {
+/// The FMUs that the units of a run are instances of; a unit of the program itself is none.
+fn fmus(system: &System) -> Vec<FmuEntry> {
+    let units = system.units().filter(|unit| !unit.interface().guid.is_empty());
     let guids: BTreeMap<_, _> =
         units.map(|unit| (unit.source_file(), &unit.interface().guid)).collect();
     let entry = |(file, guid): (&str, &String)| {

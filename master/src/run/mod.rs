@@ -1,130 +1,206 @@
-//! A run from the scenario's file to the results folder.
+//! A run from a scenario's file or a package to the results folder: one way for both.
+//!
+//! | file | part |
+//! |---|---|
+//! | `mod.rs` | the run |
+//! | `setup.rs`, `scenario.rs`, `package.rs` | what is run |
+//! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
+//! | `after.rs` | what the rails go through after the run |
+//! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
+//! | `expected.rs` | the figures of a run against those expected |
+//! | `progress.rs`, `live.rs` | the progress bar |
+//! | `export.rs`, `sources.rs` | a scenario's train as a package |
+//! | `wiring.rs` | what would be run, without running it |
+//! | `workplace.rs`, `error.rs` | threads and the folder of a run, and why it failed |
 
+mod after;
 pub mod error;
 pub mod expected;
+mod export;
 mod finished;
-pub mod manifest;
-pub mod observe;
-mod observe_outputs;
-pub mod observe_rail;
-pub mod progress;
-pub mod stepping;
+mod live;
+mod manifest;
+mod observe_error;
+mod output_table;
+mod outputs;
+pub mod package;
+mod progress;
+mod recorder;
+pub mod scenario;
+mod setup;
+mod sources;
+mod step_table;
+mod train_tables;
+mod wiring;
 pub mod workplace;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use crate::report::{self, MainFigure};
-use crate::run::error::RunError;
-use crate::run::finished::{Done, Finished};
-use crate::run::manifest::Manifest;
-use crate::run::observe::Recorder;
-use crate::run::progress::Progress;
-use crate::run::stepping::Stepping;
-use crate::run::workplace::Workplace;
-use crate::scenario::{self, Scenario, Times};
-use crate::system::unit::{take_warnings, terminate};
-use crate::train::foresee::wheels_outside;
-use crate::train::lockstep::Lockstep;
-use crate::train::prepare::{Folders, prepare};
-use crate::train::prepare_rail::Extent;
-use crate::train::start::{StartError, start_of};
-use crate::train::traffic::Traffic;
+use after::{Continued, FailedStep, StepFailure};
+use error::RunError;
+pub use export::{Exported, export};
+use finished::Done;
+pub use finished::Finished;
+use live::LiveFigures;
+use progress::Progress;
+use recorder::Recorder;
+use setup::Setup;
+pub use wiring::wiring;
+use workplace::Workplace;
 
-/// How a scenario is run.
+use crate::report::{self, MainFigure};
+use crate::scenario::Times;
+use crate::system::parallel;
+use crate::system::times::Stopwatch;
+use crate::system::unit::{take_warnings, terminate};
+use crate::train::fmus::Folders;
+
+/// How a scenario or a package is run.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
-    /// Threads for the vehicles; none: all cores.
+    /// Threads for the units; none: all cores.
     pub threads: Option<usize>,
     /// Folder of the results; none: a new one in `results`.
     pub results: Option<PathBuf>,
     /// Folder of Hotfoot's own FMUs.
     pub fmus: PathBuf,
-    /// Times in place of the scenario's.
+    /// Times instead of the scenario's or the package's.
     pub times: Times,
     /// No progress bar.
     pub quiet: bool,
 }
 
-/// Runs a scenario.
+/// Whether a file is an SSP package; otherwise it is a scenario.
+pub fn is_package(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension == "ssp")
+}
+
+/// Runs a scenario or the system in a package.
 ///
 /// # Errors
-/// When the scenario is wrong or a unit fails.
+/// When the scenario or package is wrong or a unit fails.
 pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
-    let (mut scenario, file, text) = scenario::load(path)?;
+    let open = |file: &Path| Workplace::open(options.threads, options.results.as_deref(), file);
+    if is_package(path) {
+        let workplace = open(path)?;
+        let setup = package::setup(path, &workplace.results, &options.times, workplace.threads)?;
+        return in_workplace(setup, &workplace, options.quiet);
+    }
+    let (mut scenario, file, text) = crate::scenario::load(path)?;
     for (option, value) in options.times.stated() {
         RunError::check_time(option, value)?;
     }
     options.times.replace_in(&mut scenario, &file)?;
-    let Workplace { threads, pool, results } =
-        Workplace::open(options.threads, options.results.as_deref(), &file)?;
-    let folders = Folders { fmus: options.fmus.clone(), results };
+    let workplace = open(&file)?;
+    let folders = Folders { fmus: options.fmus.clone(), results: workplace.results.clone() };
+    let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
+    in_workplace(setup, &workplace, options.quiet)
+}
 
-    let mut lockstep = prepare(&scenario, &folders).map_err(RunError::prepare(&file))?;
-    let mut manifest = Manifest::new(&scenario, text, threads, &lockstep);
-    pool.install(|| {
-        run_prepared(&scenario, &mut lockstep, &mut manifest, &folders.results, options.quiet)
-    })
-    .and_then(|done| {
-        let (report, figures) = report::write(&folders.results)?;
-        manifest.figure.clone_from(&figures);
-        manifest.write(&folders.results)?;
-        Ok(Finished {
-            figures: figures.into_iter().filter(MainFigure::is_shown).collect(),
-            report,
-            done,
-            times: lockstep.times,
-            vehicles: lockstep.vehicles.len(),
-            threads,
-            warnings: manifest.run.warnings,
-        })
+/// Runs what is set up, and writes its report.
+fn in_workplace(
+    mut setup: Setup,
+    workplace: &Workplace,
+    quiet: bool,
+) -> Result<Finished, RunError> {
+    let Workplace { threads, pool, results } = workplace;
+    let done = pool.install(|| perform(&mut setup, results, quiet))?;
+    let (report, figures) = report::write(results)?;
+    let stages = setup.stages_with_units();
+    let Setup { system, mut manifest, .. } = setup;
+    manifest.figure.clone_from(&figures);
+    manifest.write(results)?;
+    Ok(Finished {
+        name: manifest.system.map(|system| system.name),
+        figures: figures.into_iter().filter(MainFigure::is_shown).collect(),
+        report,
+        done,
+        times: system.times,
+        stages,
+        threads: *threads,
+        warnings: manifest.warnings,
     })
 }
 
-/// Initialises, steps and records.
-fn run_prepared(
-    scenario: &Scenario,
-    lockstep: &mut Lockstep,
-    manifest: &mut Manifest,
-    results: &Path,
-    quiet: bool,
-) -> Result<Done, RunError> {
-    let steps = (scenario.duration_s / scenario.step_s).round() as u64;
-    let traffic = scenario.heat.as_ref().map(Traffic::of).unwrap_or_default();
-    let rails_run = lockstep.rails_time(steps);
-    let rails_end = traffic.end(rails_run);
-    manifest.write(results)?;
-    lockstep
-        .initialize(start_of(scenario), scenario.duration_s, rails_end)
-        .map_err(StartError::from)?;
-    let mut recorder = Recorder::new(scenario, lockstep, &results.join("series"))?;
-    recorder.observe(0, lockstep)?;
+/// Initialises, steps and records; whatever happens, what was computed is completed on disk.
+fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunError> {
+    let Setup { steps, stop, .. } = *setup;
+    let clock = setup.system.clock;
+    let rails_run = setup.rails.time(&setup.system, steps);
+    let rails_end = setup.rails.traffic.end(rails_run);
+    setup.manifest.write(results)?;
+    let Setup { system, rails, .. } = setup;
+    system.initialize(|part| if rails.contain(part) { rails_end } else { stop })?;
+    let mut recorder = setup.recorder(&results.join("series"))?;
+    let live = setup.live_figures();
+    setup.describe()?;
+    // The observed outputs as they are at the start.
+    parallel::for_each(&mut setup.system.parts, |part| part.outputs.get(part.unit.as_mut()))
+        .map_err(crate::system::start::StartError::from)?;
+    recorder.observe(0, &mut setup.system)?;
 
-    let mut progress = Progress::new(steps, scenario.duration_s, quiet);
-    if let (Some(rail), Some(heat)) = (lockstep.rails.first(), &scenario.heat) {
-        let extent = Extent::of(scenario, heat);
-        manifest.run.notes = wheels_outside(rail, &extent, scenario.duration_s);
-    }
-    manifest.run.notes.iter().for_each(|note| progress.tell(note));
+    let mut progress = Progress::new(steps, stop, quiet);
+    let notes = setup.manifest.run.iter().flat_map(|run| &run.notes);
+    notes.for_each(|note| progress.tell(note));
     let begin = Instant::now();
-    let mut stepping = Stepping { lockstep, recorder: &mut recorder, progress: &mut progress };
+    let mut stepping =
+        Stepping { setup, recorder: &mut recorder, progress: &mut progress, live: &live };
     let outcome = stepping.run(steps);
     let wall = begin.elapsed();
-    let outcome = outcome.and_then(|()| stepping.go_on(&traffic, rails_run));
-    lockstep.times.rails_after = begin.elapsed() - wall;
+    let outcome = outcome.and_then(|()| {
+        let Setup { system, rails, .. } = &mut *setup;
+        let mut run = Continued { system, recorder: &mut recorder, progress: &mut progress };
+        rails.continue_after_run(&mut run, rails_run)
+    });
+    setup.system.times.after = begin.elapsed() - wall;
     progress.finish();
 
-    // Whatever happened, what was computed is completed on disk.
-    manifest.run.locomotives = recorder.locomotives();
-    manifest.run.energy = recorder.energy();
+    let Setup { system, stages, manifest, .. } = setup;
+    if let Some(run) = &mut manifest.run {
+        run.energy = recorder.energy("train");
+    }
     recorder.finish()?;
-    let end = terminate(lockstep.units_mut());
-    manifest.run.warnings = take_warnings(lockstep.units_mut());
+    let end = terminate(system.units_mut());
+    manifest.warnings.extend(take_warnings(system.units_mut()));
+    if let Some(run) = &mut manifest.run {
+        run.warnings.clone_from(&manifest.warnings);
+    }
     let reached = outcome.as_ref().map_or_else(|failed| failed.time, |()| rails_end);
-    let simulated = reached.min(lockstep.clock.at(steps));
-    manifest.finish(simulated, wall, &lockstep.times);
+    let simulated = reached.min(clock.at(steps)) - clock.start;
+    manifest.finish(simulated, wall, system, stages);
     manifest.write(results)?;
     outcome.map_err(|failed| RunError::step(failed, results))?;
     end.map_err(RunError::End)?;
-    Ok(Done { simulated, rails: rails_end, wall, steps })
+    Ok(Done { simulated, rails: rails_end - clock.start, wall, steps })
+}
+
+/// Steps and records.
+struct Stepping<'r> {
+    setup: &'r mut Setup,
+    recorder: &'r mut Recorder,
+    progress: &'r mut Progress,
+    live: &'r LiveFigures,
+}
+
+impl Stepping<'_> {
+    /// Takes all units through the steps of the run.
+    fn run(&mut self, steps: u64) -> Result<(), FailedStep> {
+        for k in 0..steps {
+            let time = self.setup.system.clock.at(k);
+            self.step(k).map_err(|source| FailedStep { time, source })?;
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, k: u64) -> Result<(), StepFailure> {
+        let Setup { system, rails, .. } = &mut *self.setup;
+        system.step(k)?;
+        let mut watch = Stopwatch::start();
+        rails.observe(k, system)?;
+        self.recorder.observe(k + 1, system)?;
+        self.progress.show(k + 1, system.clock.at(k + 1), || self.live.text(system));
+        system.times.recording += watch.lap();
+        Ok(())
+    }
 }

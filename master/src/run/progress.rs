@@ -4,9 +4,6 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::train::lockstep::Lockstep;
-use crate::train::roles::train;
-
 /// Wall time between two updates.
 const UPDATE: Duration = Duration::from_millis(200);
 
@@ -36,21 +33,8 @@ impl Progress {
         self.bar.suspend(|| eprintln!("note: {sentence}"));
     }
 
-    /// Shows the state after `done` steps at `time`, if it is due.
-    pub fn show(&mut self, done: u64, time: f64, lockstep: &Lockstep) {
-        self.show_with(done, time, || {
-            let live = LiveFigures::of(lockstep);
-            format!(
-                ", {:.1} km/h, coupler {:.0} kN at {}",
-                live.speed * 3.6,
-                live.coupler_force / 1e3,
-                live.vehicle,
-            )
-        });
-    }
-
     /// Shows the time after `done` steps and what `figures` says, if it is due.
-    pub fn show_with(&mut self, done: u64, time: f64, figures: impl FnOnce() -> String) {
+    pub fn show(&mut self, done: u64, time: f64, figures: impl FnOnce() -> String) {
         let now = Instant::now();
         if now - self.updated < UPDATE {
             return;
@@ -78,25 +62,5 @@ impl Progress {
     /// Removes the bar.
     pub fn finish(self) {
         self.bar.finish_and_clear();
-    }
-}
-
-/// What is shown while running.
-struct LiveFigures {
-    /// Speed of the leading vehicle, m/s.
-    speed: f64,
-    /// Rear coupler force of the largest magnitude in the train, N.
-    coupler_force: f64,
-    /// Its vehicle, counted from one.
-    vehicle: usize,
-}
-
-impl LiveFigures {
-    fn of(lockstep: &Lockstep) -> Self {
-        let speed = lockstep.train.outputs.values[train::VELOCITY];
-        let forces = lockstep.train.blocks().map(|block| block[train::COUPLER_REAR]);
-        let (vehicle, coupler_force) =
-            forces.enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap_or_default();
-        Self { speed, coupler_force, vehicle: vehicle + 1 }
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::interface::si::Linear;
-use crate::system::structure::{Connection, ConnectorKind, Endpoint, Structure};
+use crate::system::structure::{Connection, ConnectorKind, Endpoint, Sampling, Structure};
 
 /// A connection as a system states it: either end may be a connector of a system, whose element
 /// is then the system's full name.
@@ -53,7 +53,8 @@ fn back(
         convert_units &= edge.convert_units;
         if structure.component(&edge.from.element).is_some() {
             let from = edge.from.clone();
-            return Some(Connection { from, to, transformation, convert_units });
+            let sampling = Sampling::default();
+            return Some(Connection { from, to, transformation, convert_units, sampling });
         }
         at = &edge.from;
     }

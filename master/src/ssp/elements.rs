@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::schedule;
+
 #[derive(Serialize)]
 #[serde(rename = "ssd:SystemStructureDescription")]
 pub struct Description<'a> {
@@ -14,7 +16,7 @@ pub struct Description<'a> {
     #[serde(rename = "ssd:System")]
     pub system: System<'a>,
     #[serde(rename = "ssd:DefaultExperiment")]
-    pub experiment: Experiment,
+    pub experiment: Experiment<'a>,
 }
 
 #[derive(Serialize)]
@@ -45,6 +47,14 @@ pub struct Component<'a> {
     pub connectors: Option<Connectors<'a>>,
     #[serde(rename = "ssd:ParameterBindings")]
     pub bindings: Option<Bindings<'a>>,
+    #[serde(rename = "ssd:Annotations")]
+    pub annotations: Option<ComponentAnnotations<'a>>,
+}
+
+#[derive(Serialize)]
+pub struct ComponentAnnotations<'a> {
+    #[serde(rename = "ssc:Annotation")]
+    pub annotation: schedule::Annotation<'a>,
 }
 
 #[derive(Serialize)]
@@ -163,19 +173,26 @@ pub struct Transformation {
 }
 
 #[derive(Serialize)]
-pub struct Experiment {
+pub struct Experiment<'a> {
     #[serde(rename = "@startTime")]
     pub start: f64,
     #[serde(rename = "@stopTime")]
     pub stop: Option<f64>,
     #[serde(rename = "ssd:Annotations")]
-    pub annotations: Option<Annotations>,
+    pub annotations: Option<Annotations<'a>>,
 }
 
 #[derive(Serialize)]
-pub struct Annotations {
+pub struct Annotations<'a> {
     #[serde(rename = "ssc:Annotation")]
-    pub annotation: Annotation,
+    pub annotations: Vec<ExperimentAnnotation<'a>>,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum ExperimentAnnotation<'a> {
+    Algorithm(Annotation),
+    Stages(schedule::StagesAnnotation<'a>),
 }
 
 #[derive(Serialize)]

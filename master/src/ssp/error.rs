@@ -20,7 +20,7 @@ pub enum SspError {
     Syntax {
         /// File in the package.
         file: String,
-        /// Reason, with the place.
+        /// Reason, with line and column.
         source: roxmltree::Error,
     },
     /// An element or attribute is missing or wrong.

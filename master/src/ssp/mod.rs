@@ -1,26 +1,22 @@
-//! Systems of FMUs in packages of SSP 1.0 (System Structure and Parameterization).
+//! Systems of FMUs in packages of SSP 1.0 (System Structure and Parameterization): here is only how a
+//! structure is read and written.
 //!
 //! | file | part |
 //! |---|---|
-//! | `read.rs`, `connect.rs`, `parameters.rs`, `xml.rs` | from the files of a package to it |
+//! | `read.rs`, `connect.rs`, `parameters.rs`, `units.rs`, `xml.rs` | from the files of a package to a structure |
 //! | `write.rs`, `elements.rs` | from it to a file that other tools accept |
-//! | `export.rs`, `export_wiring.rs`, `export_parameters.rs`, `sources.rs` | a scenario's train as a package |
-//! | `wire.rs` | from a structure to instances of FMUs with what flows between them |
-//! | `record.rs`, `run.rs` | a run from a package to the results folder |
+//! | `schedule.rs` | Hotfoot's annotations: rates, stages and means, which other tools ignore |
+//! | `open.rs` | the FMUs of a package, ready to run |
 //! | `error.rs` | what can be wrong |
 
 mod connect;
 mod elements;
 mod error;
-mod export;
-mod export_parameters;
-mod export_wiring;
+mod open;
 mod parameters;
 mod read;
-pub mod record;
-mod run;
-mod sources;
-mod wire;
+mod schedule;
+mod units;
 mod write;
 mod xml;
 
@@ -28,5 +24,6 @@ mod xml;
 mod structure_tests;
 
 pub use error::SspError;
-pub use export::export;
-pub use run::{SystemOptions, run};
+pub use open::open;
+pub use read::{STRUCTURE_FILE, read};
+pub use write::write;

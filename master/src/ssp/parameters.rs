@@ -7,7 +7,7 @@ use std::path::{Component as PathPart, Path};
 use roxmltree::Node;
 
 use super::error::SspError;
-use super::read::{transformation, units};
+use super::units::{transformation, units};
 use super::xml::{XmlFile, child, children, listed};
 use crate::files::file_error::FileError;
 use crate::interface::si::SiUnit;
@@ -97,7 +97,7 @@ fn parameter(
     };
     let unit = typed.attribute("unit").map(str::to_owned);
     let si = unit.as_ref().and_then(|unit| units.get(unit)).copied();
-    Ok(Parameter { name, value, unit, si })
+    Ok(Parameter { name, value, unit, si, local: false })
 }
 
 /// `true`, `false`, `1` or `0`, as XML schema has it.
@@ -136,13 +136,13 @@ fn entries(
     for entry in children(mapping, "MappingEntry") {
         let source = file.required(entry, "source")?;
         let target = file.required(entry, "target")?;
-        let way = transformation(file, entry)?;
+        let transformation = transformation(file, entry)?;
         for parameter in parameters.iter().filter(|parameter| parameter.name == source) {
             let mut parameter = parameter.clone();
             target.clone_into(&mut parameter.name);
             match &mut parameter.value {
-                Value::Real(value) => *value = way.apply(*value),
-                _ if way.is_identity() => {}
+                Value::Real(value) => *value = transformation.apply(*value),
+                _ if transformation.is_identity() => {}
                 other => {
                     let message = format!(
                         "'{source}' is of type {}; only a Real can be transformed",

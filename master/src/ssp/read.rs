@@ -10,10 +10,13 @@ use roxmltree::Node;
 use super::connect::{self, Edge};
 use super::error::SspError;
 use super::parameters;
-use super::xml::{XmlFile, child, children, listed};
+use super::schedule;
+use super::units::{transformation, units};
+use super::xml::{XmlFile, child, listed};
 use crate::files::file_error::FileError;
-use crate::interface::si::{Dimension, Linear, SiUnit};
-use crate::system::structure::{Component, Connector, ConnectorKind, Endpoint, Structure};
+use crate::system::structure::{
+    Component, Connector, ConnectorKind, Endpoint, Sampling, Structure,
+};
 
 /// Name of the default structure in a package.
 pub const STRUCTURE_FILE: &str = "SystemStructure.ssd";
@@ -41,6 +44,7 @@ pub fn read(package: &Path) -> Result<Structure, SspError> {
         structure.start = file.value(experiment, "startTime")?;
         structure.stop = file.value(experiment, "stopTime")?;
         structure.step = step(&file, experiment)?;
+        structure.stages = schedule::read_stages(&file, experiment)?;
         if let Some(stop) = structure.stop
             && (stop.partial_cmp(&structure.start.unwrap_or(0.0)) != Some(Ordering::Greater)
                 || stop.is_infinite())
@@ -50,14 +54,20 @@ pub fn read(package: &Path) -> Result<Structure, SspError> {
             return Err(file.wrong(experiment, message));
         }
     }
-    let mut reader = Reader { file: &file, package, structure, edges: vec![] };
+    let mut reader =
+        Reader { file: &file, package, structure, edges: vec![], samplings: HashMap::new() };
     reader.system(system, "")?;
-    let Reader { mut structure, edges, .. } = reader;
+    let Reader { mut structure, edges, samplings, .. } = reader;
     structure.connections = connect::trace(&edges, &structure);
+    for connection in &mut structure.connections {
+        if let Some(sampling) = samplings.get(&connection.to) {
+            connection.sampling = *sampling;
+        }
+    }
     Ok(structure)
 }
 
-/// The step that libcosim's annotation of the experiment names; SSP 1.0 itself has no place
+/// The step that libcosim's annotation of the experiment names; SSP 1.0 itself has nothing
 /// for it.
 fn step(file: &XmlFile<'_>, experiment: Node<'_, '_>) -> Result<Option<f64>, SspError> {
     let algorithm =
@@ -77,6 +87,8 @@ struct Reader<'r, 't> {
     package: &'r Path,
     structure: Structure,
     edges: Vec<Edge>,
+    /// What inputs get of which a slower component does not get the mean.
+    samplings: HashMap<Endpoint, Sampling>,
 }
 
 impl Reader<'_, '_> {
@@ -138,11 +150,18 @@ impl Reader<'_, '_> {
             let message = format!("a component of type {kind} is not supported; Hotfoot runs FMUs");
             return Err(self.file.wrong(node, message));
         }
+        let name = format!("{prefix}{}", self.file.required(node, "name")?);
+        let (schedule, samplings) = schedule::read(self.file, node)?;
+        let of_component = samplings
+            .into_iter()
+            .map(|(connector, sampling)| (Endpoint::new(&name, &connector), sampling));
+        self.samplings.extend(of_component);
         let component = Component {
-            name: format!("{prefix}{}", self.file.required(node, "name")?),
+            name,
             source: self.file.required(node, "source")?.to_owned(),
             connectors: self.connectors(node)?,
             parameters: parameters::bindings(self.file, self.package, node)?,
+            schedule,
         };
         if self.structure.component(&component.name).is_some() {
             let message = format!("there are two components with the name '{}'", component.name);
@@ -220,55 +239,4 @@ impl Reader<'_, '_> {
         });
         Ok(())
     }
-}
-
-/// The linear transformation of a connection or of a mapping.
-///
-/// # Errors
-/// When there is a transformation of another kind, or its numbers are none.
-pub fn transformation(file: &XmlFile<'_>, node: Node<'_, '_>) -> Result<Linear, SspError> {
-    let other = node.children().find(|child| {
-        let name = child.tag_name().name();
-        name.ends_with("MappingTransformation")
-    });
-    if let Some(other) = other {
-        let message = format!(
-            "{} is not supported; Hotfoot knows LinearTransformation",
-            other.tag_name().name()
-        );
-        return Err(file.wrong(other, message));
-    }
-    let Some(linear) = child(node, "LinearTransformation") else {
-        return Ok(Linear::IDENTITY);
-    };
-    Ok(Linear {
-        factor: file.value(linear, "factor")?.unwrap_or(1.0),
-        offset: file.value(linear, "offset")?.unwrap_or(0.0),
-    })
-}
-
-/// The units that a structure or parameter set defines.
-///
-/// # Errors
-/// When an attribute is wrong.
-pub fn units(file: &XmlFile<'_>, root: Node<'_, '_>) -> Result<HashMap<String, SiUnit>, SspError> {
-    let mut units = HashMap::new();
-    for unit in listed(root, "Units", "Unit") {
-        let Some(base) = children(unit, "BaseUnit").next() else { continue };
-        let mut exponents = [0; 7];
-        for (exponent, symbol) in exponents.iter_mut().zip(["kg", "m", "s", "A", "K", "mol", "cd"])
-        {
-            *exponent = file.value(base, symbol)?.unwrap_or(0);
-        }
-        let to_base = Linear {
-            factor: file.value(base, "factor")?.unwrap_or(1.0),
-            offset: file.value(base, "offset")?.unwrap_or(0.0),
-        };
-        if !to_base.factor.is_normal() {
-            return Err(file.wrong(base, "the factor of a unit must not be zero"));
-        }
-        let si = SiUnit { dimension: Dimension(exponents), to_base };
-        units.insert(file.required(unit, "name")?.to_owned(), si);
-    }
-    Ok(units)
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::read::{STRUCTURE_FILE, read};
 use super::write::write;
-use crate::system::structure::{Parameter, Structure, Value};
+use crate::system::structure::{Parameter, Sampling, Schedule, Structure, Value};
 
 const NAMESPACES: &str = r#"xmlns:ssd="http://ssp-standard.org/SSP1/SystemStructureDescription"
     xmlns:ssc="http://ssp-standard.org/SSP1/SystemStructureCommon"
@@ -127,6 +127,7 @@ fn start_values_come_from_the_structure_from_files_and_through_mappings() {
         value,
         unit: unit.map(str::to_owned),
         si: None,
+        local: false,
     };
     assert_eq!(
         structure.component("a").unwrap().parameters,
@@ -155,13 +156,64 @@ fn what_is_written_is_read_as_it_was() {
     }
     let text = |value: &str| Value::Text(value.to_owned());
     let values = [Value::Real(1e-3), Value::Integer(-2), Value::Boolean(true), text("a <b>")];
-    written.components[0].parameters = values
-        .into_iter()
-        .map(|value| Parameter { name: "p".to_owned(), value, unit: None, si: None })
-        .collect();
+    written.components[0].parameters =
+        values.into_iter().map(|value| Parameter::new("p", value)).collect();
+    assert_eq!(written_and_read(&written), written);
+}
+
+fn written_and_read(structure: &Structure) -> Structure {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join(STRUCTURE_FILE), write(&written).unwrap()).unwrap();
-    assert_eq!(read(folder.path()).unwrap(), written);
+    std::fs::write(folder.path().join(STRUCTURE_FILE), write(structure).unwrap()).unwrap();
+    read(folder.path()).unwrap()
+}
+
+/// Rates, stages with their names and what a slower component gets stand in annotations.
+#[test]
+fn a_schedule_is_read_as_it_was_written() {
+    let system = format!(
+        "<ssd:Elements>{}{}</ssd:Elements><ssd:Connections>{}</ssd:Connections>",
+        component("a", ""),
+        component("b", ""),
+        connection("a.y", "b.u", "")
+    );
+    let plain = structure(&system, &[]).unwrap();
+    assert_eq!(plain.components[1].schedule, Schedule::default());
+    for sampling in [Sampling::Mean, Sampling::Sum, Sampling::Last] {
+        let mut written = plain.clone();
+        written.units.clear();
+        for component in &mut written.components {
+            component.connectors.iter_mut().for_each(|connector| connector.unit = None);
+        }
+        written.step = Some(1e-3);
+        written.stages = vec!["train".to_owned(), "rail".to_owned()];
+        written.components[1].schedule = Schedule { stage: 1, every: 10 };
+        written.connections[0].sampling = sampling;
+        assert_eq!(written_and_read(&written), written);
+    }
+}
+
+/// Another maker's annotation of the same name says nothing to us.
+#[test]
+fn a_wrong_schedule_is_answered_with_its_line_and_a_foreign_one_is_left_alone() {
+    let annotated = |namespace: &str, content: &str| {
+        let annotation = format!(
+            r#"<ssd:Annotations><ssc:Annotation type="org.hotfoot.schedule">
+            <h:Schedule xmlns:h="{namespace}" {content}</h:Schedule></ssc:Annotation></ssd:Annotations>"#
+        );
+        let system = format!("<ssd:Elements>{}</ssd:Elements>", component("a", &annotation));
+        structure(&system, &[])
+    };
+    for (content, wanted) in [
+        (r#"every="0">"#, "every at least 1"),
+        (r#"stage="-1">"#, "stage=\"-1\" must be a whole number"),
+        (r#"stage="5000">"#, "at most 1000"),
+        (r#"><h:Input name="u" sampling="first"/>"#, "must be mean, sum or last"),
+    ] {
+        let message = annotated("urn:hotfoot:ssp", content).unwrap_err();
+        assert!(message.contains("line 9") && message.contains(wanted), "{message}");
+    }
+    let foreign = annotated("urn:other", r#"every="0">"#).unwrap();
+    assert_eq!(foreign.components[0].schedule, Schedule::default());
 }
 
 #[test]

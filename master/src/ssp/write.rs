@@ -2,17 +2,21 @@
 //! FMPy all accept: no connectors of the system, only connectors that are connected, the type
 //! of a component written out, and start values inline (issues 751 and 759 of OMSimulator).
 
+use std::collections::HashMap;
+
 use serde_xml_rs::SerdeXml;
 use xml::EmitterConfig;
 
 use super::elements::{
-    Algorithm, Annotation, Annotations, Binding, Bindings, Component, Connection, Connections,
-    Connector, Connectors, Description, Elements, Empty, Experiment, FixedStep, Parameter,
-    ParameterSet, ParameterValues, Parameters, System, Transformation, TypedValue,
+    Algorithm, Annotation, Annotations, Binding, Bindings, Component, ComponentAnnotations,
+    Connection, Connections, Connector, Connectors, Description, Elements, Empty, Experiment,
+    ExperimentAnnotation, FixedStep, Parameter, ParameterSet, ParameterValues, Parameters, System,
+    Transformation, TypedValue,
 };
 use super::error::SspError;
 use super::read::FMU_TYPE;
-use crate::system::structure::{ConnectorKind, Structure, Value};
+use super::schedule::{self, StagesAnnotation};
+use crate::system::structure::{ConnectorKind, Endpoint, Sampling, Structure, Value};
 
 /// The text of the file.
 ///
@@ -26,15 +30,29 @@ pub fn write(structure: &Structure) -> Result<String, SspError> {
         .namespace("ssc", namespace("Common").as_str())
         .namespace("ssv", namespace("ParameterValues").as_str())
         .namespace("osp", "http://opensimulationplatform.com/SSP/OSPAnnotations")
+        .namespace("hotfoot", schedule::NAMESPACE)
         .to_string(&Description::of(structure))?;
     Ok(text + "\n")
 }
 
 impl<'a> Description<'a> {
     fn of(structure: &'a Structure) -> Self {
-        let annotation = |step| Annotation {
-            kind: "com.opensimulationplatform",
-            algorithm: Algorithm { fixed_step: FixedStep { step } },
+        let algorithm = |step| {
+            ExperimentAnnotation::Algorithm(Annotation {
+                kind: "com.opensimulationplatform",
+                algorithm: Algorithm { fixed_step: FixedStep { step } },
+            })
+        };
+        let stages = StagesAnnotation::of(structure).map(ExperimentAnnotation::Stages);
+        let annotations: Vec<_> = structure.step.map(algorithm).into_iter().chain(stages).collect();
+        let mut samplings: HashMap<&str, Vec<(&str, Sampling)>> = HashMap::new();
+        for connection in &structure.connections {
+            let Endpoint { element, connector } = &connection.to;
+            samplings.entry(element).or_default().push((connector, connection.sampling));
+        }
+        let component = |component: &'a crate::system::structure::Component| {
+            let samplings = samplings.get(component.name.as_str());
+            Component::of(component, samplings.map_or(&[], Vec::as_slice))
         };
         Self {
             version: "1.0",
@@ -43,7 +61,7 @@ impl<'a> Description<'a> {
             system: System {
                 name: &structure.name,
                 elements: Elements {
-                    components: structure.components.iter().map(Component::of).collect(),
+                    components: structure.components.iter().map(component).collect(),
                 },
                 connections: Connections {
                     connections: structure.connections.iter().map(Connection::of).collect(),
@@ -52,16 +70,17 @@ impl<'a> Description<'a> {
             experiment: Experiment {
                 start: structure.start.unwrap_or(0.0),
                 stop: structure.stop,
-                annotations: structure
-                    .step
-                    .map(|step| Annotations { annotation: annotation(step) }),
+                annotations: (!annotations.is_empty()).then_some(Annotations { annotations }),
             },
         }
     }
 }
 
 impl<'a> Component<'a> {
-    fn of(component: &'a crate::system::structure::Component) -> Self {
+    fn of(
+        component: &'a crate::system::structure::Component,
+        samplings: &[(&'a str, Sampling)],
+    ) -> Self {
         let connectors: Vec<_> = component.connectors.iter().map(Connector::of).collect();
         let parameters: Vec<_> = component.parameters.iter().map(Parameter::of).collect();
         let set = |parameters| ParameterSet {
@@ -77,6 +96,8 @@ impl<'a> Component<'a> {
             bindings: (!parameters.is_empty()).then(|| Bindings {
                 binding: Binding { values: ParameterValues { set: set(parameters) } },
             }),
+            annotations: schedule::Annotation::of(component.schedule, samplings)
+                .map(|annotation| ComponentAnnotations { annotation }),
         }
     }
 }
@@ -107,11 +128,13 @@ impl<'a> Parameter<'a> {
 
 impl<'a> Connection<'a> {
     fn of(connection: &'a crate::system::structure::Connection) -> Self {
-        let way = connection.transformation;
+        let transformation = connection.transformation;
         Self {
             suppress_unit_conversion: (!connection.convert_units).then_some(true),
-            transformation: (!way.is_identity())
-                .then_some(Transformation { factor: way.factor, offset: way.offset }),
+            transformation: (!transformation.is_identity()).then_some(Transformation {
+                factor: transformation.factor,
+                offset: transformation.offset,
+            }),
             start_element: &connection.from.element,
             start_connector: &connection.from.connector,
             end_element: &connection.to.element,

@@ -15,12 +15,14 @@ pub struct Mock {
     step: Step,
     /// Whether its outputs follow its inputs before it steps.
     feeds_through: bool,
+    /// Whether they do when the initialisation ends.
+    computes_at_exit: bool,
     calls: Arc<Mutex<Vec<String>>>,
     name: String,
 }
 
 impl Mock {
-    /// A mock with variables given as (name, causality); a variable's reference is its place.
+    /// A mock with variables given as (name, causality); a variable's reference is its index.
     pub fn new(
         name: &str,
         variables: &[(String, &str)],
@@ -42,6 +44,7 @@ impl Mock {
             values: vec![0.0; variables.len()],
             step: Box::new(step),
             feeds_through: false,
+            computes_at_exit: false,
             calls: Arc::clone(calls),
             name: name.to_owned(),
         }
@@ -50,6 +53,11 @@ impl Mock {
     /// The mock with outputs that follow its inputs before it steps, by a step of no length.
     pub fn feeding_through(self) -> Self {
         Self { feeds_through: true, ..self }
+    }
+
+    /// The mock with outputs that follow its inputs when the initialisation ends.
+    pub fn computing_at_exit(self) -> Self {
+        Self { computes_at_exit: true, ..self }
     }
 
     fn note(&self, call: &str) {
@@ -68,30 +76,6 @@ impl Unit for Mock {
 
     fn interface(&self) -> &Interface {
         &self.interface
-    }
-
-    fn set_text(&mut self, _: u32, _: &str) -> Result<(), UnitError> {
-        unreachable!("a mock has no texts")
-    }
-
-    fn get_text(&mut self, _: u32) -> Result<String, UnitError> {
-        unreachable!("a mock has no texts")
-    }
-
-    fn set_integers(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
-        unreachable!("a mock has Real variables only")
-    }
-
-    fn get_integers(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
-        unreachable!("a mock has Real variables only")
-    }
-
-    fn set_booleans(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
-        unreachable!("a mock has Real variables only")
-    }
-
-    fn get_booleans(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
-        unreachable!("a mock has Real variables only")
     }
 
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
@@ -120,6 +104,9 @@ impl Unit for Mock {
 
     fn exit_initialization(&mut self) -> Result<(), UnitError> {
         self.note("exit");
+        if self.computes_at_exit {
+            (self.step)(&mut self.values, 0.0, 0.0);
+        }
         Ok(())
     }
 

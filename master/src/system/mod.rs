@@ -1,18 +1,27 @@
-//! Systems of units: models, the signals that they exchange, and what they are connected by.
+//! Systems of units: what they consist of, how they are connected, and the one loop that steps them.
+//! Nothing here knows trains.
 //!
 //! | file | part |
 //! |---|---|
-//! | `unit.rs`, `port.rs` | a model, and groups of its variables |
-//! | `structure.rs` | components and connections |
-//! | `links.rs` | connections, compiled |
-//! | `step.rs` | initialisation and steps |
-//! | `parallel.rs`, `times.rs` | threads and wall time |
+//! | `structure.rs` | what a system consists of: components, connections, start values, schedule |
+//! | `unit.rs`, `signals.rs`, `part.rs` | a model, groups of its variables, and both in a system |
+//! | `compile.rs`, `links.rs` | from a structure and its units to a system |
+//! | `start.rs` | the initialisation |
+//! | `step.rs`, `clock.rs`, `parallel.rs`, `times.rs` | the step |
+//! | `tap.rs` | signals by name |
+//! | `drawing.rs` | a structure as a person would draw it |
 
+pub mod clock;
+pub mod compile;
+mod drawing;
 pub mod links;
 pub mod parallel;
-pub mod port;
+pub mod part;
+pub mod signals;
+pub mod start;
 pub mod step;
 pub mod structure;
+pub mod tap;
 pub mod times;
 pub mod unit;
 

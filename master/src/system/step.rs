@@ -1,84 +1,59 @@
-//! A system of units: initialisation, and steps in which all take the last exchange (Jacobi).
+//! The step of a system: one loop for trains and for any other system.
+//!
+//! After each step the outputs of a unit are got once; then everything is computed, set once and
+//! stepped, so that no output is read between a set and the next step (FMI 2.0 §4.2.4). Times
+//! are t_k = t_0 + k·h from integers. Units share nothing within a stage, and sums are taken in the
+//! order of the connections, so that the number of threads cannot change a result.
 
-use super::links::{Link, Links, Part};
-use crate::interface::VariableType;
-use crate::system::parallel;
-use crate::system::times::Stopwatch;
-use crate::system::unit::{Unit, UnitError};
-use crate::train::lockstep::Clock;
-use crate::train::start::StartError;
+use std::collections::HashMap;
+use std::ops::Range;
+
+use super::clock::Clock;
+use super::links::Gather;
+use super::parallel;
+use super::part::Part;
+use super::times::{StepTimes, Stopwatch};
+use super::unit::{Unit, UnitError};
 
 /// Units and what flows between them.
 pub struct System {
     /// The communication points.
     pub clock: Clock,
-    /// The units.
+    /// The units, in the order of their stages.
     pub parts: Vec<Part>,
-    /// What flows between them.
-    pub links: Links,
+    /// The stages of a step, in their order.
+    pub(super) stages: Vec<Stage>,
+    /// Where the wall time goes.
+    pub times: StepTimes,
+    /// Number of each part by its name.
+    numbers: HashMap<String, usize>,
 }
 
-/// Sweeps of the initialisation beyond the longest chain that there can be without a loop: in
-/// them a loop may settle that halves its errors.
-const SPARE_SWEEPS: usize = 100;
-
-/// Inputs of a loop that a message names.
-const NAMED_INPUTS: usize = 5;
+/// Units that step together, and what they take before.
+pub(super) struct Stage {
+    /// Numbers of its parts: first those whose steps are too short for a thread of their own.
+    pub parts: Range<usize>,
+    /// How many of these there are.
+    pub brief: usize,
+    /// What its parts take.
+    pub gathers: Vec<Gather>,
+}
 
 impl System {
-    /// A system without units.
-    pub fn empty(clock: Clock) -> Self {
-        Self { clock, parts: vec![], links: Links::default() }
-    }
-
-    /// Initialises all units for a run until `stop`, s: outputs go into the inputs that they are
-    /// linked to until nothing changes any more.
-    ///
-    /// # Errors
-    /// When a unit refuses, or the initial values do not settle.
-    pub fn initialize(&mut self, stop: f64) -> Result<(), StartError> {
-        let start = self.clock.start;
-        parallel::for_each(&mut self.parts, |part| {
-            part.unit.enter_initialization(start, stop)?;
-            part.outputs.get(part.unit.as_mut())
-        })?;
-        self.settle()?;
-        parallel::for_each(&mut self.parts, |part| {
-            part.unit.exit_initialization()?;
-            // Some units compute their outputs only now.
-            part.outputs.get(part.unit.as_mut())
-        })?;
-        Ok(())
-    }
-
-    /// Repeats the exchange of initial values until nothing changes.
-    fn settle(&mut self) -> Result<(), StartError> {
-        let mut moving: Vec<(VariableType, Link)> = vec![];
-        for sweep in 0..self.parts.len() + SPARE_SWEEPS {
-            // The first sweep also sends the start values of inputs that are not linked.
-            let mut concerned = vec![sweep == 0; self.parts.len()];
-            moving.clear();
-            self.links.transfer(&mut self.parts, |kind, link| {
-                concerned[link.to.part] = true;
-                moving.push((kind, *link));
-            });
-            if sweep > 0 && moving.is_empty() {
-                return Ok(());
-            }
-            let mut parts: Vec<_> = self.parts.iter_mut().zip(concerned).collect();
-            parallel::for_each(&mut parts, |(part, concerned)| match concerned {
-                true => {
-                    part.inputs.set(part.unit.as_mut())?;
-                    part.outputs.get(part.unit.as_mut())
-                }
-                false => Ok(()),
-            })?;
-        }
-        moving.truncate(NAMED_INPUTS);
-        let inputs = moving
-            .iter()
-            .map(|(kind, link)| self.parts[link.to.part].input_name(*kind, link.to.at));
-        Err(StartError::Loop { inputs: inputs.collect() })
+    /// A system of parts that are not connected yet.
+    pub fn new(clock: Clock, mut parts: Vec<Part>) -> Self {
+        parts.sort_by_key(|part| (part.stage, !part.unit.is_brief()));
+        let names = parts.iter().map(|part| part.unit.name().to_owned());
+        let numbers = names.zip(0..).collect();
+        let count = parts.last().map_or(0, |part| part.stage + 1);
+        let stage = |stage| {
+            let begin = parts.partition_point(|part| part.stage < stage);
+            let end = parts.partition_point(|part| part.stage <= stage);
+            let brief = parts[begin..end].partition_point(|part| part.unit.is_brief());
+            Stage { parts: begin..end, brief, gathers: vec![] }
+        };
+        let stages: Vec<_> = (0..count).map(stage).collect();
+        Self { clock, stages, times: StepTimes::of(count), numbers, parts }
     }
 
     /// Takes all units from point `k` to `k + 1`.
@@ -86,25 +61,45 @@ impl System {
     /// # Errors
     /// When a unit fails; the others keep what they have.
     pub fn step(&mut self, k: u64) -> Result<(), UnitError> {
-        let (time, length) = (self.clock.at(k), self.clock.length);
-        self.links.transfer(&mut self.parts, |_, _| {});
-        parallel::for_each(&mut self.parts, |part| {
+        let clock = self.clock;
+        for (stage, time) in self.stages.iter().zip(&mut self.times.stages) {
             let mut watch = Stopwatch::start();
-            part.inputs.set(part.unit.as_mut())?;
-            part.unit.step(time, length)?;
-            part.outputs.get(part.unit.as_mut())?;
-            part.wall += watch.lap();
-            Ok(())
-        })
+            stage.pull(&mut self.parts);
+            self.times.exchange += watch.lap();
+            let parts = &mut self.parts[stage.parts.clone()];
+            let (brief, long) = parts.split_at_mut(stage.brief);
+            brief.iter_mut().try_for_each(|part| part.step(clock, k))?;
+            parallel::for_each(long, |part| part.step(clock, k))?;
+            *time += watch.lap();
+        }
+        Ok(())
     }
 
-    /// All units.
+    /// The number of the part of that name.
+    pub fn number(&self, name: &str) -> Option<usize> {
+        self.numbers.get(name).copied()
+    }
+
+    /// All units, in the order of the parts.
     pub fn units(&self) -> impl Iterator<Item = &dyn Unit> {
         self.parts.iter().map(|part| part.unit.as_ref())
     }
 
-    /// All units.
+    /// All units, in the order of the parts.
     pub fn units_mut(&mut self) -> impl Iterator<Item = &mut Box<dyn Unit>> {
         self.parts.iter_mut().map(|part| &mut part.unit)
+    }
+}
+
+impl Stage {
+    /// Takes over what the stage's parts need for the step. Those that step less often than the
+    /// exchange sum up at every communication point.
+    fn pull(&self, parts: &mut [Part]) {
+        for gather in &self.gathers {
+            gather.pull(parts);
+        }
+        for part in &mut parts[self.parts.clone()] {
+            part.points += 1;
+        }
     }
 }

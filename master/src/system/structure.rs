@@ -22,6 +22,8 @@ pub struct Structure {
     pub stop: Option<f64>,
     /// Proposed step of the exchange, s.
     pub step: Option<f64>,
+    /// What the stages are called, in their order; those without a name have numbers.
+    pub stages: Vec<String>,
 }
 
 /// An instance of an FMU.
@@ -35,6 +37,37 @@ pub struct Component {
     pub connectors: Vec<Connector>,
     /// Start values.
     pub parameters: Vec<Parameter>,
+    /// When it steps.
+    pub schedule: Schedule,
+}
+
+/// When a component steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Schedule {
+    /// In a step of the exchange the stages follow one another, from 0: a component takes what those
+    /// of earlier stages have given in the same step.
+    pub stage: usize,
+    /// It steps at every so many communication points.
+    pub every: u64,
+}
+
+impl Default for Schedule {
+    /// With all others, at every communication point.
+    fn default() -> Self {
+        Self { stage: 0, every: 1 }
+    }
+}
+
+/// What a component that steps less often than the exchange gets of an input.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Sampling {
+    /// The mean since its last step.
+    #[default]
+    Mean,
+    /// The sum since its last step.
+    Sum,
+    /// The last value.
+    Last,
 }
 
 /// A variable of a component.
@@ -81,6 +114,8 @@ pub struct Connection {
     pub transformation: Linear,
     /// Whether units are converted.
     pub convert_units: bool,
+    /// What a slower receiver gets.
+    pub sampling: Sampling,
 }
 
 /// A start value.
@@ -94,6 +129,8 @@ pub struct Parameter {
     pub unit: Option<String>,
     /// What that is in SI base units, where the parameter's own file says so.
     pub si: Option<SiUnit>,
+    /// Whether it holds on this machine only, such as the path of a file of the results.
+    pub local: bool,
 }
 
 /// A value of any type.
@@ -136,32 +173,29 @@ impl Component {
 }
 
 impl Connection {
-    /// A connection that is converted as `way` says and not otherwise.
-    pub fn of(from: Endpoint, to: Endpoint, way: Linear) -> Self {
-        Self { from, to, transformation: way, convert_units: way.is_identity() }
+    /// A connection that is converted as `conversion` says and not otherwise.
+    pub fn of(from: Endpoint, to: Endpoint, conversion: Linear, sampling: Sampling) -> Self {
+        let convert_units = conversion.is_identity();
+        Self { from, to, transformation: conversion, convert_units, sampling }
     }
 }
 
 impl Parameter {
     /// A parameter without a unit.
     pub fn new(name: &str, value: Value) -> Self {
-        Self { name: name.to_owned(), value, unit: None, si: None }
+        Self { name: name.to_owned(), value, unit: None, si: None, local: false }
     }
 }
 
-impl Structure {
-    /// Adds a connection and the connectors at its ends.
-    pub fn connect(&mut self, connection: Connection) {
-        let ends =
-            [(&connection.from, ConnectorKind::Output), (&connection.to, ConnectorKind::Input)];
-        for (end, kind) in ends {
-            let component = self.components.iter_mut().find(|c| c.name == end.element);
-            let Some(component) = component else { continue };
-            if component.connector(&end.connector).is_none() {
-                let name = end.connector.clone();
-                component.connectors.push(Connector { name, kind, unit: None });
-            }
-        }
-        self.connections.push(connection);
+impl std::fmt::Display for Endpoint {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}.{}", self.element, self.connector)
+    }
+}
+
+impl Endpoint {
+    /// A connector of a component.
+    pub fn new(element: &str, connector: &str) -> Self {
+        Self { element: element.to_owned(), connector: connector.to_owned() }
     }
 }

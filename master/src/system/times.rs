@@ -3,26 +3,27 @@
 use std::time::{Duration, Instant};
 
 /// Wall time of the parts of all steps so far, and of what follows.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct StepTimes {
-    /// Steps of the train.
-    pub train: Duration,
-    /// Steps of the vehicles, all threads together from the first to the last.
-    pub vehicles: Duration,
-    /// Steps of the rail.
-    pub rail: Duration,
-    /// The master's own work between them.
+    /// Steps of the units of each stage, all threads together from the first to the last.
+    pub stages: Vec<Duration>,
+    /// The exchange between them.
     pub exchange: Duration,
     /// Recording.
     pub recording: Duration,
-    /// The rails after the run, with recording.
-    pub rails_after: Duration,
+    /// What goes on after the run, with recording.
+    pub after: Duration,
 }
 
 impl StepTimes {
+    /// No time yet for so many stages.
+    pub fn of(stages: usize) -> Self {
+        Self { stages: vec![Duration::ZERO; stages], ..Self::default() }
+    }
+
     /// All parts of the steps.
     pub fn of_steps(&self) -> Duration {
-        self.train + self.vehicles + self.rail + self.exchange + self.recording
+        self.stages.iter().sum::<Duration>() + self.exchange + self.recording
     }
 }
 

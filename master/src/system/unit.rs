@@ -1,4 +1,4 @@
-//! A unit: anything that the lockstep can set, step and read. FMUs are units, and so are the
+//! A unit: anything that a system can set, step and read. FMUs are units, and so are the
 //! mocks of the tests; the loop knows nothing else of them.
 
 use crate::interface::Interface;
@@ -28,7 +28,8 @@ fn log_text(message: &Option<Box<str>>) -> String {
 }
 
 /// One co-simulation unit, in the order of calls of FMI 2.0 §4.2.4: parameters are set, then
-/// `enter_initialization`, inputs set and outputs got, `exit_initialization`, then steps.
+/// `enter_initialization`, inputs set and outputs got, `exit_initialization`, then steps. A unit without
+/// variables of a type need not say how to set and get them.
 pub trait Unit: Send {
     /// Name of the instance, such as `vehicle[17]`.
     fn name(&self) -> &str;
@@ -39,41 +40,58 @@ pub trait Unit: Send {
     /// The variables of the unit.
     fn interface(&self) -> &Interface;
 
+    /// Whether its step takes less time than it takes to hand it to another thread.
+    fn is_brief(&self) -> bool {
+        false
+    }
+
     /// Sets a String variable.
     ///
     /// # Errors
     /// When the unit refuses.
-    fn set_text(&mut self, reference: u32, value: &str) -> Result<(), UnitError>;
+    fn set_text(&mut self, _: u32, _: &str) -> Result<(), UnitError> {
+        Err(self.lacks("Strings"))
+    }
 
     /// Gets a String variable.
     ///
     /// # Errors
     /// When the unit refuses.
-    fn get_text(&mut self, reference: u32) -> Result<String, UnitError>;
+    fn get_text(&mut self, _: u32) -> Result<String, UnitError> {
+        Err(self.lacks("Strings"))
+    }
 
     /// Sets Integer variables by value reference.
     ///
     /// # Errors
     /// When the unit refuses.
-    fn set_integers(&mut self, references: &[u32], values: &[i32]) -> Result<(), UnitError>;
+    fn set_integers(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
+        Err(self.lacks("Integers"))
+    }
 
     /// Gets Integer variables by value reference into `values`.
     ///
     /// # Errors
     /// When the unit refuses.
-    fn get_integers(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), UnitError>;
+    fn get_integers(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
+        Err(self.lacks("Integers"))
+    }
 
     /// Sets Boolean variables, as 0 or 1, by value reference.
     ///
     /// # Errors
     /// When the unit refuses.
-    fn set_booleans(&mut self, references: &[u32], values: &[i32]) -> Result<(), UnitError>;
+    fn set_booleans(&mut self, _: &[u32], _: &[i32]) -> Result<(), UnitError> {
+        Err(self.lacks("Booleans"))
+    }
 
     /// Gets Boolean variables, as 0 or 1, by value reference into `values`.
     ///
     /// # Errors
     /// When the unit refuses.
-    fn get_booleans(&mut self, references: &[u32], values: &mut [i32]) -> Result<(), UnitError>;
+    fn get_booleans(&mut self, _: &[u32], _: &mut [i32]) -> Result<(), UnitError> {
+        Err(self.lacks("Booleans"))
+    }
 
     /// Sets Real variables by value reference.
     ///
@@ -110,6 +128,17 @@ pub trait Unit: Send {
     /// # Errors
     /// When the unit could not complete what it writes.
     fn terminate(&mut self) -> Result<(), UnitError>;
+
+    /// The error of a unit without variables of a type.
+    fn lacks(&self, variables: &str) -> UnitError {
+        UnitError {
+            instance: self.name().into(),
+            source_file: self.source_file().into(),
+            action: format!("setting or getting of {variables}, of which it has none,").into(),
+            status: None,
+            last_message: None,
+        }
+    }
 
     /// Takes the warnings that the unit has logged.
     fn take_warnings(&mut self) -> Vec<String> {

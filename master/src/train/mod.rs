@@ -1,27 +1,34 @@
-//! A train: from a scenario to wired units, and their steps.
+//! A train as a system: from a scenario to a structure.
 //!
 //! | file | part |
 //! |---|---|
-//! | `prepare.rs`, `prepare_vehicles.rs`, `prepare_rail.rs`, `parameters.rs`, `resources.rs` | from a scenario to wired units |
-//! | `roles/` | what an FMU must or may have to fill a role |
-//! | `start.rs`, `lockstep.rs`, `rail.rs` | initialisation and the step loop |
-//! | `foresee.rs` | what is wrong with the run before its first step |
+//! | `roles/` | what an FMU must or may have to be a train, a vehicle or a rail |
+//! | `wiring.rs` | the table of what flows between them |
+//! | `structure.rs`, `vehicles.rs`, `rails.rs`, `layout.rs` | the components of a scenario, and who is what |
+//! | `fmus.rs`, `resources.rs`, `parameters.rs` | FMUs packed for the scenario, and their parameters |
+//! | `controller.rs` | the controller of a vehicle |
+//! | `locomotives.rs` | which vehicles are locomotives |
+//! | `signals.rs` | signals of the train by name |
+//! | `wheels_outside.rs` | what is wrong with the run before its first step |
 //! | `traffic.rs`, `tape.rs` | what the rails go through after the run |
-//! | `synchronisation.rs` | gains of the controllers |
 
-pub mod foresee;
-pub mod lockstep;
-pub mod parameters;
-pub mod prepare;
-pub mod prepare_rail;
-mod prepare_vehicles;
-pub mod rail;
+pub mod controller;
+pub mod error;
+pub mod fmus;
+
+pub mod layout;
+pub mod locomotives;
+mod parameters;
+pub mod rails;
 pub mod resources;
 pub mod roles;
-pub mod start;
-mod synchronisation;
+mod signals;
+pub mod structure;
 pub mod tape;
 pub mod traffic;
+mod vehicles;
+pub mod wheels_outside;
+mod wiring;
 
 #[cfg(test)]
-mod lockstep_tests;
+mod wiring_tests;

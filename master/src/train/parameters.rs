@@ -1,51 +1,50 @@
 //! Parameters of FMUs that a scenario sets by their names.
 
-use std::path::Path;
-
+use super::error::PrepareError;
+use super::resources::parameter_file;
 use crate::fmi::Import;
-use crate::interface::{Variable, VariableType};
-use crate::scenario::Value;
-use crate::system::unit::Unit;
-use crate::train::prepare::PrepareError;
-use crate::train::resources::parameter_file;
+use crate::interface::VariableType;
+use crate::scenario::Value as Stated;
+use crate::system::structure::{Parameter, Value};
 
-/// Sets a parameter as the scenario says in the table `key`. An input is given back with its value, since an FMU
-/// takes inputs only when it is being initialised (FMI 2.0 §4.2.4).
-pub(crate) fn set_parameter(
-    unit: &mut dyn Unit,
+/// A parameter, or the start value of an input, as the scenario says in the table `key`.
+///
+/// # Errors
+/// When the FMU has no such variable, or one of another type.
+pub fn parameter(
     import: &Import,
     key: &str,
-    (name, value): (&str, &Value),
-) -> Result<Option<(u32, f64)>, PrepareError> {
+    name: &str,
+    stated: &Stated,
+) -> Result<Parameter, PrepareError> {
     let wrong = |problem: String| PrepareError::Parameter {
         key: key.to_owned(),
         name: name.to_owned(),
-        value: value.to_string(),
+        value: stated.to_string(),
         problem,
     };
     let file = import.file();
-    let variable = unit.interface().variable(name).cloned().ok_or_else(|| {
+    let variable = import.interface().variable(name).ok_or_else(|| {
         wrong(format!("{file} has no such variable; `hotfoot interface {file}` lists them"))
     })?;
-    let Variable { reference, kind, causality, .. } = variable;
-    if let ("input", VariableType::Real, Some(number)) = (causality.as_str(), kind, value.number())
-    {
-        return Ok(Some((reference, number)));
-    }
-    if causality != "parameter" {
+    let (causality, kind) = (variable.causality.as_str(), variable.kind);
+    let is_input = causality == "input" && kind == VariableType::Real && stated.number().is_some();
+    if causality != "parameter" && !is_input {
         return Err(wrong(format!("it is no parameter but {causality} of {file}")));
     }
-    match (kind, value, value.number()) {
-        (VariableType::Real, _, Some(number)) => unit.set_reals(&[reference], &[number])?,
-        (VariableType::Integer, Value::Integer(value), _) => {
-            unit.set_integers(&[reference], &[*value])?;
-        }
-        (VariableType::Boolean, Value::Boolean(value), _) => {
-            unit.set_booleans(&[reference], &[i32::from(*value)])?;
-        }
-        (VariableType::Text, Value::Text(value), _) => unit.set_text(reference, value)?,
-        (VariableType::Text, Value::File(original), _) => {
-            unit.set_text(reference, &path_of_copy(import, name, original))?;
+    let value = match (kind, stated, stated.number()) {
+        (VariableType::Real, _, Some(number)) => Value::Real(number),
+        (VariableType::Integer, Stated::Integer(value), _) => Value::Integer(*value),
+        (VariableType::Boolean, Stated::Boolean(value), _) => Value::Boolean(*value),
+        (VariableType::Text, Stated::Text(value), _) => Value::Text(value.clone()),
+        (VariableType::Text, Stated::File(original), _) => {
+            let copy = parameter_file(name, original);
+            let path = match import.resources().join(&copy).exists() {
+                true => &copy,
+                // An FMU that was not packed for the scenario has no copy.
+                false => original,
+            };
+            Value::Text(path.display().to_string())
         }
         _ => {
             let wanted = match kind {
@@ -56,13 +55,6 @@ pub(crate) fn set_parameter(
             };
             return Err(wrong(format!("it is {wanted}")));
         }
-    }
-    Ok(None)
-}
-
-/// The file in the FMU's resources; the original for an FMU that was not packed for the scenario.
-fn path_of_copy(import: &Import, name: &str, original: &Path) -> String {
-    let copy = import.resources().join(parameter_file(name, original));
-    let path = if copy.exists() { &copy } else { original };
-    path.display().to_string()
+    };
+    Ok(Parameter::new(name, value))
 }

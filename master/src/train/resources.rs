@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use crate::files::file_error::FileError;
-pub use crate::fmi::Origins;
+use crate::fmi::Origins;
 use crate::fmi::pack::{PackError, copy_folder, write};
 use crate::scenario::{Heat, Scenario, Value};
 

@@ -58,6 +58,11 @@ impl Traffic {
         }
     }
 
+    /// Whether trains come after that of the run.
+    pub fn has_further_trains(&self) -> bool {
+        self.trains > 1
+    }
+
     /// When the rails' time ends if the run takes `run`, s.
     pub fn end(&self, run: f64) -> f64 {
         f64::from(self.trains - 1) * self.headway + run + self.cool_down

@@ -1,26 +1,23 @@
-//! The three roles of a run, and the signals that an FMU must or may have to fill one: the order
-//! of the names is the order of the exchange.
+//! The roles of a run, and the variables that an FMU must or may have to fill one. Each is said once,
+//! in a table, from which come the checks, the connections and what is recorded.
 //!
 //! | file | part |
 //! |---|---|
-//! | `train.rs` | what the train gives for each vehicle |
-//! | `vehicle_input.rs`, `vehicle_output.rs` | what a vehicle takes and gives |
-//! | `rail_input.rs` | what a rail takes of each wheelset |
-//! | `unit.rs` | their units |
-
-use std::collections::BTreeMap;
+//! | `tables.rs` | the variables of each role |
+//! | `variable.rs` | a variable of a role in an FMU |
+//! | `page.rs` | the page of the roles in `modelDescription/README.md` |
 
 use crate::interface::Interface;
-use crate::system::port::{Port, Signal, SignalUnit};
 
-pub mod rail_input;
-pub mod train;
-mod unit;
-pub mod vehicle_input;
-pub mod vehicle_output;
+#[cfg(test)]
+mod page;
+pub mod tables;
+pub mod variable;
 
-/// The names of the two sides in the order of the exchange.
-pub const SIDES: [&str; 2] = ["left", "right"];
+pub use tables::SIDES;
+pub use variable::{Names, RoleVariable, find};
+
+use tables::{RAIL_INPUT, START, TRAIN_OUTPUT, VEHICLE_INPUT, VEHICLE_OUTPUT, WHEEL, WHEELSET};
 
 /// What an FMU does in a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,108 +30,71 @@ pub enum Role {
     Railheat,
 }
 
-/// Signals of a role by causality.
-#[derive(Debug, Clone, Default)]
-pub struct RoleSignals {
-    /// Parameters.
-    pub parameters: Vec<Signal>,
-    /// Inputs.
-    pub inputs: Vec<Signal>,
-    /// Outputs.
-    pub outputs: Vec<Signal>,
-}
-
-/// Names under a prefix with their units, the first `required` of them required.
-fn signals(
-    prefix: &str,
-    names: &[&str],
-    units: &[SignalUnit],
-    required: usize,
-) -> impl Iterator<Item = Signal> {
-    names.iter().zip(units).enumerate().map(move |(i, (name, unit))| Signal {
-        name: format!("{prefix}{name}"),
-        required: i < required,
-        unit: Some(*unit),
-    })
-}
-
-/// Signals of a longitudinal FMU for a train of `vehicles`.
-pub fn longitudinal_signals(vehicles: usize) -> RoleSignals {
-    let block = |i| {
-        let prefix = format!("vehicle[{i}].");
-        signals(&prefix, &train::NAMES, &train::UNITS, train::REQUIRED).collect::<Vec<_>>()
-    };
-    RoleSignals {
-        parameters: start_parameters(),
-        inputs: vec![],
-        outputs: (1..=vehicles).flat_map(block).collect(),
+impl Role {
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Longitudinal => "longitudinal",
+            Self::Vehicle => "vehicle",
+            Self::Railheat => "railheat",
+        }
     }
 }
 
-/// Signals of a vehicle FMU with so many wheelsets.
-pub fn vehicle_signals(wheelsets: usize) -> RoleSignals {
-    use vehicle_output::{NAMES, REQUIRED, UNITS, WHEEL_NAMES, WHEEL_UNITS};
-    let mut outputs: Vec<Signal> = signals("", &NAMES, &UNITS, REQUIRED).collect();
+/// A table of variables under a prefix, with their causality.
+pub type Group = (String, &'static [RoleVariable], &'static str);
+
+/// The variables that an FMU must have to be a train of so many vehicles, or may have.
+pub fn longitudinal(vehicles: usize) -> Vec<Group> {
+    let outputs = |i| (format!("vehicle[{i}]."), TRAIN_OUTPUT, "output");
+    let start = (String::new(), START, "parameter");
+    std::iter::once(start).chain((1..=vehicles).map(outputs)).collect()
+}
+
+/// The same of a vehicle with so many wheelsets.
+pub fn vehicle(wheelsets: usize) -> Vec<Group> {
+    let mut groups = vec![
+        (String::new(), START, "parameter"),
+        (String::new(), VEHICLE_INPUT, "input"),
+        (String::new(), VEHICLE_OUTPUT, "output"),
+    ];
     for j in 1..=wheelsets {
-        let position = Signal::optional(format!("wheelset[{j}].position"));
-        outputs.push(position.in_unit(unit::METRE));
-        for side in SIDES {
-            let prefix = format!("wheelset[{j}].{side}.");
-            outputs.extend(signals(&prefix, &WHEEL_NAMES, &WHEEL_UNITS, 0));
-        }
+        groups.push((format!("wheelset[{j}]."), WHEELSET, "output"));
+        let wheel = |side| (format!("wheelset[{j}].{side}."), WHEEL, "output");
+        groups.extend(SIDES.map(wheel));
     }
-    RoleSignals {
-        parameters: start_parameters(),
-        inputs: {
-            use vehicle_input::{NAMES, REQUIRED, UNITS};
-            signals("", &NAMES, &UNITS, REQUIRED).collect()
-        },
-        outputs,
-    }
+    groups
 }
 
-/// Signals of a rail-heat FMU for vehicles with so many wheelsets each.
-pub fn railheat_signals(wheelsets: &[usize]) -> RoleSignals {
-    let mut inputs = vec![];
-    for (i, &count) in wheelsets.iter().enumerate() {
-        for j in 1..=count {
-            let prefix = format!("vehicle[{}].wheelset[{j}].", i + 1);
-            inputs.extend(signals(
-                &prefix,
-                &rail_input::NAMES,
-                &rail_input::UNITS,
-                rail_input::REQUIRED,
-            ));
-        }
-    }
-    RoleSignals { parameters: vec![], inputs, outputs: vec![] }
-}
-
-/// Parameters of a start: position and speed.
-fn start_parameters() -> Vec<Signal> {
-    vec![
-        Signal::required("initial.position").in_unit(unit::METRE),
-        Signal::required("initial.velocity").in_unit(unit::METRE_PER_SECOND),
-    ]
+/// The same of a rail for vehicles with so many wheelsets each.
+pub fn railheat(wheelsets: &[usize]) -> Vec<Group> {
+    let of_vehicle = |(i, &count): (usize, &usize)| {
+        (1..=count).map(move |j| (format!("vehicle[{i}].wheelset[{j}]."), RAIL_INPUT, "input"))
+    };
+    (1..).zip(wheelsets).flat_map(of_vehicle).collect()
 }
 
 /// What an interface lacks to fill a role, a sentence each.
 pub fn missing(interface: &Interface, role: Role) -> Vec<String> {
-    let wanted = match role {
-        Role::Longitudinal => longitudinal_signals(interface.count("vehicle", "position").max(1)),
-        Role::Vehicle => vehicle_signals(wheelset_count(interface, &BTreeMap::new())),
-        Role::Railheat => railheat_signals(&rail_wheelsets(interface)),
+    let groups = match role {
+        Role::Longitudinal => longitudinal(interface.count("vehicle", "position").max(1)),
+        Role::Vehicle => vehicle(wheelset_count(interface, &Names::new())),
+        Role::Railheat => railheat(&rail_wheelsets(interface)),
     };
-    let groups =
-        [(&wanted.parameters, "parameter"), (&wanted.inputs, "input"), (&wanted.outputs, "output")];
-    let connect = |(signals, causality): (&Vec<Signal>, &str)| {
-        Port::connect(interface, signals, causality, &BTreeMap::new()).err().unwrap_or_default()
-    };
-    groups.into_iter().flat_map(connect).collect()
+    problems(interface, &groups, &Names::new())
 }
 
-/// Number of wheelsets of a vehicle FMU with its `names` for our signals.
-pub fn wheelset_count(interface: &Interface, names: &BTreeMap<String, String>) -> usize {
+/// What an interface lacks of groups of variables under its own names, a sentence each.
+pub fn problems(interface: &Interface, groups: &[Group], names: &Names) -> Vec<String> {
+    let of_group = |(prefix, variables, causality): &Group| {
+        let find = |variable| find(interface, prefix, variable, causality, names).err();
+        variables.iter().filter_map(find).collect::<Vec<_>>()
+    };
+    groups.iter().flat_map(of_group).collect()
+}
+
+/// Number of wheelsets of a vehicle FMU with its `names` for ours.
+pub fn wheelset_count(interface: &Interface, names: &Names) -> usize {
     let has = |j: &usize| {
         let name = format!("wheelset[{j}].position");
         interface.variable(names.get(&name).unwrap_or(&name)).is_some()

@@ -1,0 +1,33 @@
+//! `hotfoot wiring`: what a scenario or a package consists of.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use hotfoot::run::wiring;
+use miette::Result;
+
+use crate::run::default_fmus;
+
+/// Arguments of `hotfoot wiring`.
+#[derive(Args)]
+pub struct WiringArguments {
+    /// Scenario: its folder or file; or an SSP package of any FMUs
+    scenario: PathBuf,
+    /// Print a graph for Graphviz, as for `dot -Tsvg`
+    #[arg(long)]
+    dot: bool,
+    /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
+    #[arg(long)]
+    fmus: Option<PathBuf>,
+}
+
+/// Prints the components of a scenario or a package, when they step, and what flows between them.
+///
+/// # Errors
+/// When the scenario or package is wrong, or an FMU is missing or unfit.
+pub fn print(arguments: &WiringArguments) -> Result<()> {
+    let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
+    let structure = wiring(&arguments.scenario, &fmus)?;
+    print!("{}", if arguments.dot { structure.dot() } else { structure.text() });
+    Ok(())
+}

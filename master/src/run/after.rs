@@ -1,0 +1,309 @@
+//! What comes after the run for the rails: further trains, and the time in which they are alone.
+
+use std::io;
+
+use super::observe_error::ObserveError;
+use super::progress::Progress;
+use super::recorder::Recorder;
+use crate::system::parallel;
+use crate::system::part::Part;
+use crate::system::step::System;
+use crate::system::unit::UnitError;
+use crate::train::layout::Layout;
+use crate::train::tape::Tape;
+use crate::train::traffic::{Stage, Traffic};
+
+/// A step that failed.
+#[derive(Debug)]
+pub struct FailedStep {
+    /// Time at which it began, s.
+    pub time: f64,
+    /// Reason.
+    pub source: StepFailure,
+}
+
+/// Why a step failed.
+#[derive(Debug, thiserror::Error)]
+pub enum StepFailure {
+    /// A unit did not get to its end.
+    #[error(transparent)]
+    Unit(#[from] UnitError),
+    /// It could not be recorded.
+    #[error(transparent)]
+    Observe(#[from] ObserveError),
+}
+
+/// The rails, which go on after the run.
+#[derive(Default)]
+pub struct Rails {
+    rails: Vec<Rail>,
+    /// What is planned after the run.
+    pub traffic: Traffic,
+}
+
+/// A rail.
+struct Rail {
+    /// Number of its part.
+    part: usize,
+    /// Its name in messages.
+    name: String,
+    /// What the wheels of the run do, if further trains shall do the same.
+    tape: Option<Tape>,
+}
+
+impl Rails {
+    /// The rails of a train, whose wheels' loads are kept if further trains shall come; `tape` makes an
+    /// empty tape.
+    ///
+    /// # Errors
+    /// When a tape cannot be made.
+    pub fn new<E>(
+        layout: &Layout,
+        system: &System,
+        traffic: Traffic,
+        tape: impl Fn() -> Result<Tape, E>,
+    ) -> Result<Self, E> {
+        let mut rails = vec![];
+        for holder in &layout.rails {
+            let Some(part) = system.number(&holder.component) else { continue };
+            let tape = if traffic.has_further_trains() { Some(tape()?) } else { None };
+            rails.push(Rail { part, name: format!("{} rail", holder.side_name()), tape });
+        }
+        Ok(Self { rails, traffic })
+    }
+
+    /// The time to which the rails have come after so many steps, s.
+    pub fn time(&self, system: &System, steps: u64) -> f64 {
+        let every = self.every(system);
+        system.clock.at(steps / every * every)
+    }
+
+    /// Whether a part is one of the rails.
+    pub fn contain(&self, part: usize) -> bool {
+        self.rails.iter().any(|rail| rail.part == part)
+    }
+
+    /// Keeps what the wheels did in the step to point `k + 1`.
+    ///
+    /// # Errors
+    /// When the tape cannot be written.
+    pub fn observe(&mut self, k: u64, system: &System) -> Result<(), UnitError> {
+        for Rail { part, name, tape } in &mut self.rails {
+            let part = &system.parts[*part];
+            if let Some(tape) = tape
+                && part.is_due(k)
+            {
+                tape.add(&part.inputs.reals.values).map_err(|error| tape_error(name, &error))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes the rails, which have come to `time`, through what is planned after the run.
+    ///
+    /// # Errors
+    /// When a step fails.
+    pub fn continue_after_run(
+        &mut self,
+        run: &mut Continued<'_>,
+        time: f64,
+    ) -> Result<(), FailedStep> {
+        for stage in self.traffic.stages(time) {
+            match stage {
+                Stage::Alone { from, length, steps } => {
+                    self.each(run, Steps { from, length, steps, per_record: 1 }, |_, part| {
+                        part.inputs.reals.values.fill(0.0);
+                        Ok(())
+                    })?;
+                }
+                Stage::Train { from } => self.further_train(run, from)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// A train does again what is on the tapes.
+    fn further_train(&mut self, run: &mut Continued<'_>, from: f64) -> Result<(), FailedStep> {
+        let mut steps = 0;
+        for Rail { name, tape, .. } in &mut self.rails {
+            let rewound = tape.as_mut().map_or(Ok(0), Tape::rewind);
+            steps = rewound.map_err(|error| FailedStep {
+                time: from,
+                source: tape_error(name, &error).into(),
+            })?;
+        }
+        let every = self.every(run.system);
+        let length = every as f64 * run.system.clock.length;
+        let per_record = (run.recorder.every / every).max(1);
+        self.each(run, Steps { from, length, steps, per_record }, |rail, part| {
+            let Rail { name, tape, .. } = rail;
+            let Some(tape) = tape else { return Ok(()) };
+            tape.next(&mut part.inputs.reals.values).map_err(|error| tape_error(name, &error))
+        })
+    }
+
+    /// Steps the rails with what `load` puts on them, and records them every so many steps and at the
+    /// last.
+    fn each(
+        &mut self,
+        run: &mut Continued<'_>,
+        steps: Steps,
+        load: fn(&mut Rail, &mut Part) -> Result<(), UnitError>,
+    ) -> Result<(), FailedStep> {
+        let Steps { from, length, steps, per_record } = steps;
+        for j in 0..steps {
+            let time = from + j as f64 * length;
+            let failed = |source| FailedStep { time, source };
+            self.step(run.system, time, length, load).map_err(|error| failed(error.into()))?;
+            if (j + 1).is_multiple_of(per_record) || j + 1 == steps {
+                let end = from + (j + 1) as f64 * length;
+                let recorded = run.recorder.record_after(end, run.system);
+                recorded.map_err(|error| failed(error.into()))?;
+                run.progress.show_rails(end);
+            }
+        }
+        Ok(())
+    }
+
+    fn step(
+        &mut self,
+        system: &mut System,
+        time: f64,
+        length: f64,
+        load: fn(&mut Rail, &mut Part) -> Result<(), UnitError>,
+    ) -> Result<(), UnitError> {
+        let parts = system.parts.iter_mut().enumerate();
+        let rail_of = |part| self.rails.iter().position(|rail| rail.part == part);
+        let mut parts: Vec<_> =
+            parts.filter_map(|(number, part)| Some((rail_of(number)?, part))).collect();
+        parts.sort_by_key(|(rail, _)| *rail);
+        let mut pairs: Vec<_> =
+            self.rails.iter_mut().zip(parts).map(|(rail, (_, part))| (rail, part)).collect();
+        parallel::for_each(&mut pairs, |(rail, part)| {
+            load(rail, part)?;
+            part.advance(time, length)
+        })
+    }
+
+    /// Exchange steps per step of the rails.
+    fn every(&self, system: &System) -> u64 {
+        self.rails.first().map_or(1, |rail| system.parts[rail.part].every)
+    }
+}
+
+/// What goes on of a run.
+pub struct Continued<'r> {
+    /// The units.
+    pub system: &'r mut System,
+    /// Records them.
+    pub recorder: &'r mut Recorder,
+    /// Tells how far it is.
+    pub progress: &'r mut Progress,
+}
+
+/// Equal steps, and after how many of them the rails are recorded.
+#[derive(Clone, Copy)]
+struct Steps {
+    from: f64,
+    length: f64,
+    steps: u64,
+    per_record: u64,
+}
+
+fn tape_error(name: &str, error: &io::Error) -> UnitError {
+    UnitError {
+        instance: name.into(),
+        source_file: "the wheels' loads on disk, for further trains".into(),
+        action: "writing or reading".into(),
+        status: None,
+        last_message: Some(error.to_string().into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::Heat;
+    use crate::system::clock::Clock;
+    use crate::system::compile::compile;
+    use crate::system::mock::Mock;
+    use crate::system::structure::{
+        Component, Connection, Endpoint, Sampling, Schedule, Structure,
+    };
+    use crate::system::unit::Unit;
+    use crate::train::layout::RailHolder;
+
+    /// A rail of 2 exchange steps a step, which gets the time at the end of each step from a wheel: what
+    /// it got in the run comes again from the tape; alone its inputs are zero.
+    #[test]
+    fn a_train_comes_again_as_it_was_and_alone_there_is_none() {
+        let calls = Default::default();
+        let wheel: Box<dyn Unit> = Box::new(Mock::new(
+            "wheel",
+            &[("y".to_owned(), "output")],
+            &calls,
+            |v, time, length| {
+                v[0] = time + length;
+            },
+        ));
+        let variables = [("u".to_owned(), "input"), ("sum".to_owned(), "output")];
+        let rail: Box<dyn Unit> =
+            Box::new(Mock::new("rail", &variables, &calls, |v, _, length| v[1] += v[0] * length));
+        let component = |name: &str, stage, every| Component {
+            name: name.to_owned(),
+            schedule: Schedule { stage, every },
+            ..Component::default()
+        };
+        let (from, to) = (Endpoint::new("wheel", "y"), Endpoint::new("rail", "u"));
+        let structure = Structure {
+            components: vec![component("wheel", 0, 1), component("rail", 1, 2)],
+            connections: vec![Connection::of(
+                from,
+                to,
+                crate::interface::si::Linear::IDENTITY,
+                Sampling::Mean,
+            )],
+            ..Structure::default()
+        };
+        let clock = Clock { start: 0.0, length: 0.5 };
+        let mut system = compile(&structure, vec![wheel, rail], clock).unwrap();
+        let holder = RailHolder { component: "rail".to_owned(), side: 0 };
+        let layout = Layout { rails: vec![holder], ..Layout::default() };
+        // Two trains 10 min apart, and a quarter of an hour alone in two steps of 450 s.
+        let plan = "trains = { count = 2, headway_minutes = 10.0 }\ncool_down_minutes = 15.0\n\
+                    cool_down_step_s = 598.0";
+        let traffic = Traffic::of(&toml::from_str::<Heat>(plan).unwrap());
+        let folder = tempfile::tempdir().unwrap();
+        let mut rails = Rails::new(&layout, &system, traffic, || Tape::new(folder.path())).unwrap();
+        parallel::pool(1).unwrap().install(|| {
+            system.initialize(|_| 10.0).unwrap();
+            for k in 0..5 {
+                system.step(k).unwrap();
+                rails.observe(k, &system).unwrap();
+            }
+            assert_eq!(
+                rails.time(&system, 5),
+                2.0,
+                "an unfinished step of the rail does not count"
+            );
+            let sum = |system: &mut System| {
+                let tap = system.tap("rail", "sum").unwrap();
+                let Part { unit, outputs, .. } = &mut system.parts[1];
+                outputs.get(unit.as_mut()).unwrap();
+                system.value(&tap)
+            };
+            // Means of 0.5 and 1 s, and of 1.5 and 2 s, each for 1 s.
+            assert_eq!(sum(&mut system), 0.75 + 1.75);
+            let mut recorder = Recorder { every: 1, ..Recorder::default() };
+            let mut progress = Progress::new(5, 2.5, true);
+            let mut run =
+                Continued { system: &mut system, recorder: &mut recorder, progress: &mut progress };
+            rails.continue_after_run(&mut run, 2.0).unwrap();
+            assert_eq!(sum(&mut system), 2.0 * (0.75 + 1.75));
+        });
+        let calls = calls.lock().unwrap();
+        let steps = calls.iter().filter_map(|call| call.strip_prefix("rail step "));
+        let steps: Vec<_> = steps.collect();
+        assert_eq!(steps, ["0.000", "1.000", "2.000", "600.000", "601.000", "602.000", "1052.000"]);
+    }
+}

@@ -1,0 +1,49 @@
+//! Why recording failed.
+
+use crate::recording::RecordingError;
+use crate::system::unit::UnitError;
+
+/// Why recording failed.
+#[derive(Debug, thiserror::Error)]
+pub enum ObserveError {
+    /// A file cannot be written.
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
+    /// A unit does not give its outputs.
+    #[error(transparent)]
+    Unit(#[from] UnitError),
+    /// The outputs that the scenario names are not there.
+    #[error(transparent)]
+    Outputs(#[from] OutputsError),
+}
+
+/// Why outputs cannot be recorded.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputsError {
+    /// No vehicle has such an output.
+    #[error(
+        "record.outputs: no Real output of vehicles {vehicles:?} has the name \"{pattern}\"; \
+         `hotfoot interface FILE.fmu` lists what an FMU has"
+    )]
+    None {
+        /// The name, as the scenario has it.
+        pattern: String,
+        /// Numbers of the recorded vehicles.
+        vehicles: Vec<usize>,
+    },
+    /// Two vehicles have it in two units.
+    #[error(
+        "record.outputs: \"{name}\" is in \"{unit}\" in vehicle {vehicle}, but in \"{other}\" in one \
+         before; one column cannot have both"
+    )]
+    Units {
+        /// Name of the output.
+        name: String,
+        /// Its unit in a vehicle.
+        unit: String,
+        /// Number of that vehicle.
+        vehicle: usize,
+        /// Its unit before.
+        other: String,
+    },
+}

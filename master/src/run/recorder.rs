@@ -1,0 +1,66 @@
+//! What is recorded of a run: tables that see the system after each step.
+
+use super::observe_error::ObserveError;
+use super::output_table::OutputTable;
+use super::step_table::StepTable;
+use crate::report::EnergyLine;
+use crate::system::step::System;
+
+/// Records the series of a run.
+#[derive(Default)]
+pub struct Recorder {
+    /// Tables that see every step.
+    pub tables: Vec<StepTable>,
+    /// Tables of what components give at the records.
+    pub outputs: Vec<OutputTable>,
+    /// The table of what goes on after the run.
+    pub after: Option<OutputTable>,
+    /// Exchange steps per record.
+    pub every: u64,
+}
+
+impl Recorder {
+    /// Takes the state at communication point `k`, and records it if it is due.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn observe(&mut self, k: u64, system: &mut System) -> Result<(), ObserveError> {
+        for table in &mut self.tables {
+            table.observe(k, system);
+        }
+        if !k.is_multiple_of(self.every) {
+            return Ok(());
+        }
+        let time = system.clock.at(k);
+        for table in &mut self.tables {
+            table.record(time)?;
+        }
+        for table in &mut self.outputs {
+            table.record(time, system)?;
+        }
+        self.record_after(time, system)
+    }
+
+    /// Records only what goes on after the run.
+    ///
+    /// # Errors
+    /// When a unit does not give its outputs, or a file cannot be written.
+    pub fn record_after(&mut self, time: f64, system: &mut System) -> Result<(), ObserveError> {
+        self.after.as_mut().map_or(Ok(()), |table| table.record(time, system))
+    }
+
+    /// The energies that the table of that name had at the last record.
+    pub fn energy(&self, name: &str) -> Vec<EnergyLine> {
+        let table = self.outputs.iter().find(|table| table.name() == name);
+        table.map(OutputTable::energies).unwrap_or_default()
+    }
+
+    /// Completes the files.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn finish(self) -> Result<(), ObserveError> {
+        self.tables.into_iter().try_for_each(StepTable::finish)?;
+        self.outputs.into_iter().chain(self.after).try_for_each(OutputTable::finish)
+    }
+}

@@ -1,0 +1,29 @@
+//! `hotfoot wiring`: the structure of a scenario or a package without running it.
+
+use std::path::Path;
+
+use super::error::RunError;
+use super::is_package;
+use crate::files::archive;
+use crate::files::file_error::FileError;
+use crate::scenario;
+use crate::ssp::{self, SspError};
+use crate::system::structure::Structure;
+use crate::train::fmus::Folders;
+use crate::train::structure::of_scenario;
+
+/// The structure of the scenario or package at `path`; Hotfoot's own FMUs lie in `fmus`.
+///
+/// # Errors
+/// When the scenario or package is wrong, or an FMU is missing or unfit.
+pub fn wiring(path: &Path, fmus: &Path) -> Result<Structure, RunError> {
+    let folder = tempfile::tempdir().map_err(FileError::at(path))?;
+    if is_package(path) {
+        archive::unpack(path, folder.path()).map_err(SspError::from)?;
+        return Ok(ssp::read(folder.path())?);
+    }
+    let (scenario, file, _) = scenario::load(path)?;
+    let folders = Folders { fmus: fmus.to_owned(), results: folder.path().to_owned() };
+    let train = of_scenario(&scenario, &folders).map_err(RunError::prepare(&file))?;
+    Ok(train.structure)
+}

@@ -1,0 +1,17 @@
+//! Communication points, from integers so that rounding does not add up.
+
+/// Communication points t_k = start + k·length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clock {
+    /// Time of point 0, s.
+    pub start: f64,
+    /// Time between two points, s.
+    pub length: f64,
+}
+
+impl Clock {
+    /// Time of point `k`, s.
+    pub fn at(&self, k: u64) -> f64 {
+        self.start + k as f64 * self.length
+    }
+}

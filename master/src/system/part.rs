@@ -1,0 +1,105 @@
+//! A component of a system that runs: its unit, what goes in and out, and when it steps.
+
+use std::time::Duration;
+
+use super::clock::Clock;
+use super::signals::Signals;
+use super::structure::Sampling;
+use super::times::Stopwatch;
+use super::unit::{Unit, UnitError};
+use crate::interface::VariableType;
+
+/// A unit of a system with what goes in and out.
+pub struct Part {
+    /// The unit.
+    pub unit: Box<dyn Unit>,
+    /// Inputs that are connected, as the unit gets them for its next step.
+    pub inputs: Signals,
+    /// Outputs that are connected or observed, as they were after its last step.
+    pub outputs: Signals,
+    /// Inputs that have a start value.
+    pub starts: Signals,
+    /// It steps at every so many communication points.
+    pub every: u64,
+    /// Stage in which it steps.
+    pub stage: usize,
+    /// Wall time of its steps so far.
+    pub wall: Duration,
+    /// Sums of the connected inputs since its last step, where it steps less often than the others.
+    pub(super) sums: Vec<f64>,
+    /// What becomes of the sum of each of them.
+    pub(super) samplings: Vec<Sampling>,
+    /// Communication points in the sums.
+    pub(super) points: u64,
+}
+
+impl Part {
+    /// A unit that is not connected yet.
+    pub fn new(unit: Box<dyn Unit>, stage: usize, every: u64) -> Self {
+        Self {
+            unit,
+            inputs: Signals::default(),
+            outputs: Signals::default(),
+            starts: Signals::default(),
+            every,
+            stage,
+            wall: Duration::ZERO,
+            sums: vec![],
+            samplings: vec![],
+            points: 0,
+        }
+    }
+
+    /// Whether point `k + 1` ends one of its steps.
+    pub fn is_due(&self, k: u64) -> bool {
+        (k + 1).is_multiple_of(self.every)
+    }
+
+    /// Steps to point `k + 1` if that ends one of its steps.
+    ///
+    /// # Errors
+    /// When the unit fails.
+    pub(super) fn step(&mut self, clock: Clock, k: u64) -> Result<(), UnitError> {
+        if !self.is_due(k) {
+            return Ok(());
+        }
+        self.form_means();
+        let from = k + 1 - self.every;
+        self.advance(clock.at(from), self.every as f64 * clock.length)
+    }
+
+    /// Steps with the inputs as they are from `time` over `length`, s.
+    ///
+    /// # Errors
+    /// When the unit fails.
+    pub fn advance(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
+        let mut watch = Stopwatch::start();
+        self.inputs.set(self.unit.as_mut())?;
+        self.unit.step(time, length)?;
+        self.outputs.get(self.unit.as_mut())?;
+        self.wall += watch.lap();
+        Ok(())
+    }
+
+    /// Turns the sums into the inputs of the next step and begins new ones.
+    fn form_means(&mut self) {
+        let points = self.points as f64;
+        let sums = self.sums.iter_mut().zip(&self.samplings);
+        for (input, (sum, sampling)) in self.inputs.reals.values.iter_mut().zip(sums) {
+            match sampling {
+                Sampling::Last => continue,
+                Sampling::Mean => *input = *sum / points,
+                Sampling::Sum => *input = *sum,
+            }
+            *sum = 0.0;
+        }
+        self.points = 0;
+    }
+
+    /// An input as `component.variable`, for messages.
+    pub fn input_name(&self, kind: VariableType, index: usize) -> String {
+        let reference = self.inputs.reference(kind, index);
+        let variable = self.unit.interface().name_of(kind, reference).unwrap_or("?");
+        format!("{}.{variable}", self.unit.name())
+    }
+}

@@ -1,0 +1,83 @@
+//! Why a scenario cannot be set up.
+
+use crate::files::file_error::FileError;
+use crate::fmi::ImportError;
+use crate::fmi::pack::PackError;
+use crate::system::compile::CompileError;
+use crate::system::unit::UnitError;
+
+/// Why a scenario cannot be set up.
+#[derive(Debug, thiserror::Error)]
+pub enum PrepareError {
+    /// A file or folder cannot be written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// An FMU cannot be packed.
+    #[error(transparent)]
+    Pack(#[from] PackError),
+    /// An FMU cannot be imported.
+    #[error(transparent)]
+    Import(#[from] ImportError),
+    /// A unit refuses.
+    #[error(transparent)]
+    Unit(#[from] UnitError),
+    /// The units cannot be connected.
+    #[error(transparent)]
+    Compile(#[from] CompileError),
+    /// An FMU lacks what its role needs.
+    #[error("{file} cannot be used as {role}: {}", problems.join("; "))]
+    Unfit {
+        /// FMU.
+        file: String,
+        /// Role.
+        role: &'static str,
+        /// What is missing.
+        problems: Vec<String>,
+    },
+    /// A model does not accept what the scenario gives it.
+    #[error("{file} cannot be packed: {message}")]
+    Refused {
+        /// FMU that was to be packed.
+        file: String,
+        /// What the model says.
+        message: String,
+    },
+    /// One of Hotfoot's own FMUs is not where it should be.
+    #[error(
+        "{path} is missing; build Hotfoot's FMUs with `cargo xtask fmus`, or name their folder with --fmus"
+    )]
+    NoFmu {
+        /// Path looked at.
+        path: String,
+    },
+    /// An FMU that allows one instance a process is wanted more than once.
+    #[error(
+        "{file} allows only one instance in a process (canBeInstantiatedOnlyOncePerProcess), but the train needs {count}"
+    )]
+    OncePerProcess {
+        /// FMU.
+        file: String,
+        /// Instances wanted.
+        count: usize,
+    },
+    /// A parameter of an FMU is not what the scenario takes it for.
+    #[error("{key}: \"{name}\" = {value}: {problem}")]
+    Parameter {
+        /// The table of the scenario in which it stands.
+        key: String,
+        /// Its name.
+        name: String,
+        /// The scenario's value, as it stands there.
+        value: String,
+        /// What is wrong and what would be right.
+        problem: String,
+    },
+    /// What the wheels do cannot be kept for further trains.
+    #[error("{folder}: {source}; for heat.trains what the wheels do is kept on this disk")]
+    Tape {
+        /// Folder.
+        folder: String,
+        /// Reason.
+        source: std::io::Error,
+    },
+}
