@@ -9,8 +9,8 @@ use hotfoot_tests::resources;
 use track::{Friction, Irregularity, Support, Track};
 use vehicle::Vehicle;
 use vehicle::dynamics::Dynamics;
-use vehicle::inputs::Inputs;
-use vehicle::line::Line;
+use vehicle::dynamics::inputs::Inputs;
+use vehicle::track::Line;
 use vehicle::structure::Structure;
 
 thread_local! {

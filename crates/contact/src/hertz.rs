@@ -12,7 +12,7 @@
 //! The larger semi-axis lies in the direction of the smaller curvature. Source: K. L. Johnson,
 //! Contact Mechanics, 4.2; validated by `benchmark_hertz_…` in `tests/validation/`.
 
-use crate::Material;
+use crate::material::Material;
 
 /// Contact ellipse for a load of 1 N; semi-axes grow with N^(1/3).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -41,5 +41,7 @@ pub use geometry::table::GeometryTable;
 pub use geometry::wheelset::{WheelContact, WheelsetGeometry, wheelset_geometry};
 pub use material::{Material, STEEL};
 pub use profile::cone::Cone;
+pub use profile::point::ProfilePoint;
 pub use profile::points::PointProfile;
-pub use profile::{ProfilePoint, RailProfile, WheelProfile};
+pub use profile::rail::RailProfile;
+pub use profile::wheel::WheelProfile;

@@ -10,8 +10,10 @@
 //! which is good for small spin. Beyond the source, the spin moment is kept and reduced alike: force and
 //! moment together then never give power to the wheel.
 
+use super::friction::FallingFriction;
 use super::{CreepForces, SlipVelocity, reference_speed};
-use crate::{ContactPatch, FallingFriction, STEEL};
+use crate::geometry::contact_point::ContactPatch;
+use crate::material::STEEL;
 
 /// The share of Kalker's forces that is left of a force `u` times mu N (C9).
 fn share(u: f64) -> f64 {

@@ -13,8 +13,9 @@
 use super::fastsim::{Division, Motion, march};
 use super::fastsim_table::FastsimTable;
 use super::flexibility::{Reduction, Stiffness};
+use super::friction::FallingFriction;
 use super::{CreepForces, Creepages, SlipVelocity, reference_speed};
-use crate::{ContactPatch, FallingFriction};
+use crate::geometry::contact_point::ContactPatch;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Initial slope of fx over nx: (2/pi) (8/3).

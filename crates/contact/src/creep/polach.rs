@@ -26,8 +26,10 @@
 //!   both in Kalker's theory), plus Kalker's -G (a b)^2 C33 phi reduced as F is. So friction power is
 //!   never negative.
 
+use super::friction::FallingFriction;
 use super::{CreepForces, SlipVelocity, reference_speed};
-use crate::{ContactPatch, FallingFriction, STEEL};
+use crate::geometry::contact_point::ContactPatch;
+use crate::material::STEEL;
 use std::f64::consts::FRAC_PI_4;
 
 /// Creepage below which C takes its lateral value: too little to matter, enough to divide by.

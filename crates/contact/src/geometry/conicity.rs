@@ -18,7 +18,7 @@
 
 use super::pair::ProfilePair;
 use super::wheelset::wheelset_geometry;
-use crate::ContactError;
+use crate::error::ContactError;
 use std::f64::consts::FRAC_PI_2;
 
 /// Distance of the displacements at which the radii are sought, in m.

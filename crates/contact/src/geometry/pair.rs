@@ -1,6 +1,8 @@
 //! A wheel profile over a rail profile.
 
-use crate::{ContactError, RailProfile, WheelProfile};
+use crate::error::ContactError;
+use crate::profile::rail::RailProfile;
+use crate::profile::wheel::WheelProfile;
 
 /// Depth below the rail's top at which the gauge is measured, in m.
 const GAUGE_DEPTH: f64 = 0.014;

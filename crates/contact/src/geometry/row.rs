@@ -2,9 +2,9 @@
 
 use super::pair::ProfilePair;
 use super::search::Touch;
-use crate::STEEL;
 use crate::hertz::UnitContact;
 use crate::kalker::CreepCoefficients;
+use crate::material::STEEL;
 
 /// Distance of the rows, in m.
 pub(super) const STEP: f64 = 5e-5;

@@ -18,20 +18,13 @@
 //! k = 2 pi s/Z^2 is the curvature of the parabola that comes as close over the same width. It is
 //! always positive, and near a jump it counts both lobes.
 
-use super::lobes::{Lobe, lobes, smooth};
+use super::lobes::{Lobe, SOFTNESS, lobes, smooth};
 use super::pair::ProfilePair;
 use crate::hertz::UnitContact;
-use crate::{ProfilePoint, STEEL, profile::rail_head::RailHead};
+use crate::material::STEEL;
+use crate::profile::point::ProfilePoint;
+use crate::profile::rail_head::RailHead;
 use std::f64::consts::TAU;
-
-/// Softness s in m: gaps within a few times this share the load.
-///
-/// A quarter of the elastic approach of a wheel under 10 kN, the load of the Manchester benchmark.
-/// With it contact positions keep within 0.5 mm of CONTACT's elastic ones in that benchmark, and the
-/// pressure within 5 % where there is one contact (`benchmark_manchester_…` in `tests/validation/`).
-/// Heavier wheels would spread over more. A jump is spread over 4 s by the step in slope: 0.1 mm of
-/// shift from tread to flange root, 0.7 mm on the tread.
-pub(super) const SOFTNESS: f64 = 5e-6;
 
 /// Approach in m of a loaded contact: that of a wheel under 110 kN. A contact so pressed covers both
 /// places between which the least gap jumps, and its stiffness hardly changes there.
@@ -289,7 +282,7 @@ fn rail_at(rail: &[ProfilePoint], begin: f64, y: f64) -> Option<ProfilePoint> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{RailProfile, WheelProfile};
+    use crate::profile::{rail::RailProfile, wheel::WheelProfile};
 
     /// Drop and slope come from different sums; the smooth minimum makes one the derivative of the
     /// other, also in the middle of a jump between two contacts. Tolerance 1e-5: the central

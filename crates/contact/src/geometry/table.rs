@@ -5,9 +5,9 @@ use super::pair::ProfilePair;
 use super::patch_at::{PatchAt, RowPlace, WheelPlace};
 use super::row::{STEP, TablePatch};
 use super::search::{Search, Touch};
-use super::{corners, shared, slots};
-use crate::ContactError;
-use std::sync::Arc;
+use super::{corners, slots};
+use crate::error::ContactError;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Rows towards the field side: the table begins at a shift of -20 mm, or where the wheel leaves the
 /// rail.
@@ -16,6 +16,10 @@ const ROWS_AWAY: i32 = 400;
 /// Rows towards the flange: up to a shift of 30 mm, where the flange has climbed by 23 mm, or where
 /// the wheel leaves the rail.
 const ROWS_TOWARDS: i32 = 600;
+
+/// The tables made so far: a train of 250 vehicles needs one. A process knows few pairs, so that a list
+/// serves.
+static TABLES: Mutex<Vec<Arc<GeometryTable>>> = Mutex::new(Vec::new());
 
 /// Contacts of one wheel with its rail as a function of the lateral shift and of the yaw.
 ///
@@ -45,10 +49,19 @@ impl GeometryTable {
 
     /// The table of this pair, made at the first call and shared by all later ones in the process.
     ///
+    /// The lock is held while a table is made: others that ask for the same pair at the same time wait
+    /// for it rather than make it again.
+    ///
     /// # Errors
     /// When a dimension is out of range or the wheel does not stand on the rail.
     pub fn shared(pair: &ProfilePair) -> Result<Arc<Self>, ContactError> {
-        shared::table(pair)
+        let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(table) = tables.iter().find(|table| table.pair() == pair) {
+            return Ok(Arc::clone(table));
+        }
+        let table = Arc::new(Self::new(pair)?);
+        tables.push(Arc::clone(&table));
+        Ok(table)
     }
 
     /// Searches the contacts at every row.

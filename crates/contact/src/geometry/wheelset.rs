@@ -6,7 +6,7 @@
 
 use super::pair::ProfilePair;
 use super::search::{Search, Touch};
-use crate::ContactError;
+use crate::error::ContactError;
 use crate::hertz::UnitContact;
 
 /// Largest roll that is searched, in rad.

@@ -4,7 +4,8 @@
 //! follows Klingel's wavelength. The flange keeps the wheelset on the track where the cone alone
 //! would not.
 
-use super::{ProfilePoint, s1002};
+use super::point::ProfilePoint;
+use super::s1002;
 
 const MM: f64 = 1e-3;
 

@@ -16,7 +16,7 @@
 //! | `inversion` | order of the points, which does not matter here |
 //! | `approx.smooth`, `point.dist.min`, `rotate` | must be 0: a file is read as it is, not made smooth |
 
-use crate::ContactError;
+use crate::error::ContactError;
 
 /// Keys of a header that have to be zero.
 const ZERO: [&str; 3] = ["approx.smooth", "point.dist.min", "rotate"];

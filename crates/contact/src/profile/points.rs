@@ -3,9 +3,13 @@
 //! Between the points the profile is a cubic with the slopes of the parabolas through three points. Where
 //! the points go back or straight down, as at the flank of a rail, the profile ends.
 
-use super::{ProfilePoint, point_file};
-use crate::ContactError;
+use super::point::ProfilePoint;
+use super::point_file;
+use crate::error::ContactError;
 use std::path::Path;
+
+/// Ends of names that are files of points.
+const FILES: [&str; 4] = [".prw", ".prr", ".txt", ".csv"];
 
 /// Least distance of two points across the track that counts as going on, in m.
 const LEAST_STEP: f64 = 1e-6;
@@ -19,6 +23,12 @@ pub struct PointProfile {
 }
 
 impl PointProfile {
+    /// The points of a `name` that is a file; nothing if it is none.
+    pub(super) fn named(name: &str) -> Option<Result<Self, ContactError>> {
+        let is_file = FILES.iter().any(|end| name.ends_with(end));
+        is_file.then(|| Self::from_file(Path::new(name)))
+    }
+
     /// Reads a file of points.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! A rail head made of circular arcs or of points, upright or inclined.
 
-use super::ProfilePoint;
+use super::point::ProfilePoint;
 use super::points::PointProfile;
 
 /// One arc of a symmetric head, given from the middle outwards.

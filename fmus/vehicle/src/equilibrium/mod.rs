@@ -10,14 +10,12 @@ mod settle;
 
 use nalgebra::Vector3;
 
-use self::newton::Search;
+use self::newton::{STEP, Search};
+use self::settle::SETTLING_TIME;
 use crate::dynamics::Dynamics;
-use crate::inputs::Inputs;
-use crate::rail::Deflection;
-use crate::wheelset::rolling;
-
-/// Step of the residual, s.
-const STEP: f64 = 1e-3;
+use crate::dynamics::inputs::Inputs;
+use crate::dynamics::wheelset::rolling;
+use crate::track::Deflection;
 
 /// Least speed in the search, m/s: slower, friction would hold the wheelsets anywhere.
 const LEAST_SPEED: f64 = 0.5;
@@ -27,9 +25,6 @@ const LEAST_SETTLING_SPEED: f64 = 10.0;
 
 /// From one speed to the next on the way down from the settling speed.
 const SLOWING: f64 = 0.6;
-
-/// Time to settle before each search, s.
-const SETTLING_TIME: f64 = 1.0;
 
 /// Most searches at one speed.
 const ROUNDS: usize = 4;
@@ -145,7 +140,7 @@ impl Dynamics {
 
     /// All velocities but the rotation of the wheels as those of a vehicle that follows the track.
     fn follow(&mut self, speed: f64) {
-        let bodies = self.structure.bodies.iter().zip(&self.frames);
+        let bodies = self.structure.bodies.iter().zip(&self.scratch.frames);
         for (state, (body, frame)) in self.state.bodies.iter_mut().zip(bodies) {
             let turning = frame.rotation * speed;
             let [aside, below] = state.place(body);

@@ -2,9 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::STEP;
 use crate::dynamics::Dynamics;
-use crate::inputs::Inputs;
+use crate::dynamics::inputs::Inputs;
+
+/// Step of the residual, s.
+pub(super) const STEP: f64 = 1e-3;
 
 /// Largest acceleration left over at which the search ends, m/s² or rad/s².
 const TOLERANCE: f64 = 1e-7;
@@ -31,7 +33,7 @@ impl<'a> Search<'a> {
     /// A search from the present state.
     pub fn new(dynamics: &'a mut Dynamics, speed: f64, inputs: &'a Inputs) -> Self {
         // Dampers with stiffness in series take their steady force at once.
-        dynamics.decay.fill(0.0);
+        dynamics.scratch.decay.fill(0.0);
         dynamics.set_speed(speed);
         let mut search = Self { unknowns: DVector::zeros(0), dynamics, inputs, speed };
         search.unknowns = search.read();

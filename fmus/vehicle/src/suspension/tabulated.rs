@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::pair::{Between, Point};
 
 /// A spring that acts in one direction.

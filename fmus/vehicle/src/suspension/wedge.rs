@@ -13,7 +13,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::grip::{Grip, magnitude};
 use super::pair::{Between, Point};
 

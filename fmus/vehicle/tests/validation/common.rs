@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use track::{Friction, Irregularity, Support, Track};
 use vehicle::dynamics::Dynamics;
-use vehicle::inputs::Inputs;
-use vehicle::line::Line;
+use vehicle::dynamics::inputs::Inputs;
 use vehicle::structure::{Structure, WheelsetData};
+use vehicle::track::Line;
 
 /// Friction coefficient of the reference set.
 pub const FRICTION: f64 = 0.36;

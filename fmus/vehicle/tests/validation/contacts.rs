@@ -1,8 +1,8 @@
 //! Several contacts a wheel, and wheels off their rails.
 
 use crate::common::*;
-use vehicle::inputs::Inputs;
-use vehicle::wheel::Standing;
+use vehicle::contact::Standing;
+use vehicle::dynamics::inputs::Inputs;
 
 /// In curves of 250 to 500 m wheels stand on two contacts at once. What a wheel shows is the sum of its
 /// contacts in force and power, and lies between them in creepage. Rounding.

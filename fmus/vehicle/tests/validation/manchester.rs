@@ -12,9 +12,8 @@ use contact::{
 };
 use std::sync::Arc;
 use vehicle::body::BodyState;
-use vehicle::patch::{Patch, WheelMotion};
-use vehicle::six::Six;
-use vehicle::wheel::{Side, Wheel, WheelData};
+use vehicle::contact::six::Six;
+use vehicle::contact::{Patch, Side, Wheel, WheelData, WheelMotion};
 
 const SPEED: f64 = 2.0;
 const WHEEL_LOAD: f64 = 10e3;

@@ -3,7 +3,7 @@
 
 use crate::common::*;
 use vehicle::dynamics::Dynamics;
-use vehicle::inputs::Inputs;
+use vehicle::dynamics::inputs::Inputs;
 
 /// Twelve longitudinal creep forces carry the traction: on straight track they differ from it by
 /// the vehicle's own acceleration force only, so 1 % is ample.

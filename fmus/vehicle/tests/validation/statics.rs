@@ -3,7 +3,7 @@
 //! steady lateral acceleration.
 
 use crate::common::*;
-use vehicle::inputs::Inputs;
+use vehicle::dynamics::inputs::Inputs;
 use vehicle::linear;
 
 /// Static wheel loads: 134 t x 9.81 m/s² / 12 = 109.5 kN (vertical; the contact is inclined by

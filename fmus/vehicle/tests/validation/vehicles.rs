@@ -2,7 +2,7 @@
 
 use crate::common::*;
 use vehicle::dynamics::Dynamics;
-use vehicle::inputs::Inputs;
+use vehicle::dynamics::inputs::Inputs;
 use vehicle::linear::{Rolling, Surfaces, System};
 
 /// All wheels together carry the weight; left and right are alike.

@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 use stock::Multibody;
 
 use crate::dynamics::Dynamics;
-use crate::inputs::Inputs;
+use crate::dynamics::inputs::Inputs;
 use body::{AccelerationSignals, AttitudeSignals};
 use energy::EnergySignals;
 use inputs::InputSignals;

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-use crate::frame::{Frame, Placement};
+use super::frame::{Frame, GRAVITY, Placement};
 
 /// What a body is, constant.
 #[derive(Clone, Debug)]
@@ -152,7 +152,7 @@ impl BodyState {
     pub fn gravity_energy(&self, body: &RigidBody, frame: &Frame) -> f64 {
         let [aside, below] = self.place(body);
         let across = aside * frame.gravity.y + below * frame.gravity.z;
-        body.mass * (crate::frame::GRAVITY * (frame.track.elevation - body.height) - across)
+        body.mass * (GRAVITY * (frame.track.elevation - body.height) - across)
     }
 }
 

@@ -2,10 +2,10 @@
 
 use contact::{Creepages, SlipVelocity};
 
-use crate::patch::{Linearised, Patch};
-use crate::rows::ContactMotion;
-use crate::six::Six;
-use crate::wheel::{PATCHES, Standing, Wheel};
+use super::patch::Patch;
+use super::rows::{ContactMotion, Linearised};
+use super::six::Six;
+use super::wheel::{PATCHES, Standing, Wheel};
 
 /// Friction power that a contact has at least for its weight in a wheel's means, W for each N of
 /// normal force: far below any that heats, so that it counts only where nothing slips.

@@ -5,22 +5,27 @@
 //! in the springs, and it neither feeds nor eats energy). Contact friction and damping, and the
 //! brake, count with the velocities at the end of the step (`wheelset.rs`).
 
+pub mod drive;
+mod forces;
+pub mod inputs;
+mod outer_forces;
+pub(crate) mod scratch;
+pub mod wheelset;
+
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::body::{BodyState, Seen, Wrench};
-use crate::drive::Drive;
+use self::inputs::Inputs;
+use self::scratch::Scratch;
+use crate::body::BodyState;
+use crate::body::Frame;
+use crate::contact::WheelOutput;
 use crate::energy::{Account, Stored};
-use crate::frame::{Frame, Placement};
-use crate::inputs::Inputs;
-use crate::line::Line;
-use crate::rail::{Deflection, RailMotion};
 use crate::structure::Structure;
-use crate::suspension::pair::Between;
-use crate::suspension::{ElementEnergy, ElementState};
-use crate::wheel_output::WheelOutput;
-use crate::wheelset::WheelsetStep;
+use crate::suspension::ElementState;
+use crate::track::Line;
+use crate::track::{Deflection, RailMotion};
 
 /// Longest step of any vehicle, s.
 pub const LONGEST_STEP: f64 = 1e-3;
@@ -58,25 +63,14 @@ pub struct Dynamics {
     pub wheels: Vec<[WheelOutput; 2]>,
     /// Acceleration of the first body along the track in the last step, m/s².
     pub acceleration: f64,
-    /// The track under each body where it is.
-    pub(crate) frames: Vec<Frame>,
-    rails: Vec<[RailMotion; 2]>,
-    pub(crate) decay: Vec<f64>,
-    elements: ElementEnergy,
-    step: f64,
-    placements: Vec<Placement>,
-    seen: Vec<Seen>,
-    between: Vec<Between>,
-    pub(crate) wrenches: Vec<Wrench>,
-    pub(crate) track_index: usize,
-    friction_index: usize,
+    /// What a step works with.
+    pub(crate) scratch: Scratch,
 }
 
 impl Dynamics {
     /// A vehicle whose bodies stand at the beginning of the track until it is placed.
     pub fn new(structure: Arc<Structure>, line: Arc<Line>) -> Self {
         let bodies = structure.bodies.len();
-        let dampers = structure.suspension.dampers.len();
         Self {
             state: State {
                 bodies: vec![BodyState::default(); bodies],
@@ -86,17 +80,7 @@ impl Dynamics {
             },
             wheels: vec![Default::default(); structure.wheelsets.len()],
             acceleration: 0.0,
-            frames: vec![Frame::default(); bodies],
-            rails: vec![Default::default(); structure.wheelsets.len()],
-            decay: vec![0.0; dampers],
-            elements: ElementEnergy::default(),
-            step: 0.0,
-            placements: vec![Placement::default(); bodies],
-            seen: vec![Seen::default(); bodies],
-            between: vec![Between::default(); structure.suspension.pairs.len()],
-            wrenches: vec![Wrench::default(); bodies],
-            track_index: 0,
-            friction_index: 0,
+            scratch: Scratch::new(&structure),
             structure,
             line,
         }
@@ -141,7 +125,7 @@ impl Dynamics {
 
     /// Energy in the vehicle now; the elastic part belongs to the middle of the last step.
     pub fn stored_energy(&self) -> Stored {
-        let mut stored = Stored { elastic: self.elements.stored, ..Stored::default() };
+        let mut stored = Stored { elastic: self.scratch.elements.stored, ..Stored::default() };
         for wheel in self.wheels.iter().flatten() {
             stored.elastic += wheel.elastic_energy;
         }
@@ -149,7 +133,7 @@ impl Dynamics {
             let deflections = self.state.deflections.iter().flatten();
             stored.elastic += deflections.map(|d| d.elastic_energy(support)).sum::<f64>();
         }
-        let bodies = self.structure.bodies.iter().zip(&self.frames);
+        let bodies = self.structure.bodies.iter().zip(&self.scratch.frames);
         for (state, (body, frame)) in self.state.bodies.iter().zip(bodies) {
             stored.kinetic += state.kinetic_energy(body);
             stored.gravity += state.gravity_energy(body, frame);
@@ -159,25 +143,27 @@ impl Dynamics {
 
     /// Constants that depend on the length of the step.
     pub(crate) fn prepare(&mut self, step: f64) {
-        if step == self.step {
+        let scratch = &mut self.scratch;
+        if step == scratch.step {
             return;
         }
-        self.step = step;
+        scratch.step = step;
         let dampers = &self.structure.suspension.dampers;
-        for (decay, damper) in self.decay.iter_mut().zip(dampers) {
+        for (decay, damper) in scratch.decay.iter_mut().zip(dampers) {
             *decay = damper.decay(step);
         }
     }
 
     /// Lets the next step prepare its constants anew.
     pub(crate) fn forget_step(&mut self) {
-        self.step = 0.0;
+        self.scratch.step = 0.0;
     }
 
     /// The track under every body.
     pub(crate) fn locate(&mut self) {
-        for (frame, state) in self.frames.iter_mut().zip(&self.state.bodies) {
-            *frame = Frame::new(self.line.track.at(state.position.x, &mut self.track_index));
+        let Scratch { frames, track_index, .. } = &mut self.scratch;
+        for (frame, state) in frames.iter_mut().zip(&self.state.bodies) {
+            *frame = Frame::new(self.line.track.at(state.position.x, track_index));
         }
     }
 
@@ -192,7 +178,7 @@ impl Dynamics {
             let state = &self.state.bodies[data.body];
             let offsets = line.irregularity.at(state.position.x);
             let speed = moving * state.velocity.x;
-            self.rails[i] = [0, 1].map(|side| {
+            self.scratch.rails[i] = [0, 1].map(|side| {
                 RailMotion::new(&offsets[side], speed, &self.state.deflections[i][side])
             });
         }
@@ -207,7 +193,7 @@ impl Dynamics {
         let State { deflections, account, .. } = &mut self.state;
         for (i, deflections) in deflections.iter_mut().enumerate() {
             for (side, deflection) in deflections.iter_mut().enumerate() {
-                let (wheel, rail) = (&self.wheels[i][side], &self.rails[i][side]);
+                let (wheel, rail) = (&self.wheels[i][side], &self.scratch.rails[i][side]);
                 let lifting = rail.velocity - deflection.velocity;
                 account.irregularities +=
                     step * (lifting.x * wheel.guiding - lifting.y * wheel.vertical);
@@ -220,90 +206,12 @@ impl Dynamics {
 
     /// Moves the coordinates with the velocities, in a frame that itself runs at `speed`.
     pub(crate) fn drift(&mut self, step: f64, speed: f64) {
-        let bodies = self.structure.bodies.iter().zip(&self.frames);
+        let bodies = self.structure.bodies.iter().zip(&self.scratch.frames);
         for (state, (body, frame)) in self.state.bodies.iter_mut().zip(bodies) {
             let mut rates = state.rates(body, frame);
             rates.position.x -= speed;
             state.position += step * rates.position;
             state.rotation += step * rates.rotation;
-        }
-    }
-
-    /// Changes the velocities by the forces of a step.
-    pub(crate) fn kick(&mut self, step: f64, inputs: &Inputs) {
-        self.suspend(step);
-        self.add_outer_forces(inputs);
-        let before = self.velocity();
-        self.roll(step, inputs);
-        for (i, body) in self.structure.bodies.iter().enumerate() {
-            if !body.turns {
-                let (state, wrench) = (&mut self.state.bodies[i], &self.wrenches[i]);
-                state.velocity += wrench.force * (step / body.mass);
-                state.angular_velocity += step * wrench.moment.component_div(&body.inertia);
-            }
-        }
-        self.account_outer_forces(inputs, step, before);
-        self.acceleration = (self.velocity() - before) / step;
-    }
-
-    /// Forces of the suspension, weight and moving frames, each in its body's frame.
-    fn suspend(&mut self, step: f64) {
-        let structure = &*self.structure;
-        let origin = self.frames[0];
-        let start = self.state.bodies[0].position.x;
-        for (i, body) in structure.bodies.iter().enumerate() {
-            let state = &self.state.bodies[i];
-            let placement = origin.placement(&self.frames[i], state.position.x - start);
-            self.seen[i] = state.seen(body, &self.frames[i], &placement);
-            self.placements[i] = placement;
-        }
-        let suspension = &structure.suspension;
-        for (place, between) in self.between.iter_mut().zip(suspension.between(&self.seen)) {
-            *place = between;
-        }
-        let (between, elements) = (&mut self.between, &mut self.state.elements);
-        self.elements = suspension.apply(between, elements, &self.decay, step);
-        self.wrenches.fill(Wrench::default());
-        suspension.pass_on(&self.between, &mut self.wrenches);
-        self.state.account.suspension_heat += step * self.elements.dissipated;
-        for (i, body) in structure.bodies.iter().enumerate() {
-            let (wrench, placement) = (&mut self.wrenches[i], &self.placements[i]);
-            let own = self.state.bodies[i].frame_forces(body, &self.frames[i]);
-            wrench.force = placement.force_back(&wrench.force) + own.force;
-            wrench.moment = placement.back(&wrench.moment) + own.moment;
-            if body.turns {
-                // Axle boxes do not turn with the wheels.
-                wrench.moment.y = own.moment.y;
-            }
-        }
-    }
-
-    /// The wheelsets, and the reaction of their drives.
-    fn roll(&mut self, step: f64, inputs: &Inputs) {
-        let structure = &*self.structure;
-        for (i, data) in structure.wheelsets.iter().enumerate() {
-            let drive = Drive {
-                torque: -inputs.traction * data.traction_share * data.wheel.radius,
-                brake: inputs.brake.max(0.0) * data.brake_share * data.wheel.radius,
-                carrier: self.state.bodies[data.frame].angular_velocity.y,
-            };
-            let chainage = self.state.bodies[data.body].position.x;
-            let rails = self.line.friction.factor(chainage, &mut self.friction_index);
-            let creep = structure.creep.with_friction(rails * inputs.friction);
-            let wheelset = WheelsetStep {
-                data,
-                body: &structure.bodies[data.body],
-                frame: &self.frames[data.body],
-                rails: self.rails[i],
-                creep: &creep,
-                wrench: self.wrenches[data.body],
-                drive,
-                step,
-            };
-            let state = &mut self.state;
-            let body = &mut state.bodies[data.body];
-            let brake = wheelset.run(body, &mut self.wheels[i], &mut state.account);
-            self.wrenches[data.frame].moment.y -= drive.torque + brake;
         }
     }
 }

@@ -1,11 +1,9 @@
 //! One contact of a wheel with its rail: how hard it presses, and how it slips.
 
-use contact::{CreepForces, CreepLaw, PressedPatch, WheelPlace};
+use contact::{CreepLaw, PressedPatch};
 
-use crate::body::BodyState;
-use crate::rows::{ContactMotion, Rows};
-use crate::six::Six;
-use crate::wheel::{Side, WheelData};
+use super::rows::{ContactMotion, Linearised, Rows};
+use super::wheel_motion::WheelMotion;
 
 /// A contact that presses, and its forces at the beginning of a step.
 #[derive(Clone, Copy, Debug)]
@@ -27,52 +25,6 @@ pub struct Patch {
     /// Place of the contact on the rail head, m from its top, negative towards the gauge side.
     pub rail_lateral: f64,
     slope: f64,
-}
-
-/// Forces of a contact at the beginning of a step, and how they change with slip.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Linearised {
-    /// Normal force, N.
-    pub normal: f64,
-    /// Its change with the speed of approach, N s/m.
-    pub normal_damping: f64,
-    /// Creep forces on the wheel.
-    pub creep: CreepForces,
-    /// Semi-axis of the contact in the rolling direction, m.
-    pub a: f64,
-    /// Semi-axis across, m.
-    pub b: f64,
-}
-
-/// How a wheel of a wheelset moves over its rail.
-pub struct WheelMotion<'a> {
-    /// Side on which the wheel is.
-    pub side: Side,
-    /// Its dimensions.
-    pub data: &'a WheelData,
-    /// Place of the wheelset, seen from the rail.
-    pub state: &'a BodyState,
-    /// Velocities of the wheelset against the rail.
-    pub velocities: &'a Six,
-    /// Speed of travel, m/s.
-    pub speed: f64,
-    /// Rotation of the wheelset's frame about z by distance travelled, rad/m.
-    pub turning: f64,
-}
-
-impl WheelMotion<'_> {
-    /// Where the wheel is over its rail (eq. 16).
-    #[inline]
-    pub fn place(&self) -> WheelPlace {
-        let (sign, data, state) = (self.side.sign(), self.data, self.state);
-        let roll = sign * state.rotation.x;
-        WheelPlace {
-            shift: sign * state.position.y - data.radius * roll,
-            descent: state.position.z + data.half_distance * roll,
-            roll,
-            yaw_squared: state.rotation.z * state.rotation.z,
-        }
-    }
 }
 
 impl Patch {

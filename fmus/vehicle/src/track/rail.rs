@@ -15,9 +15,9 @@ use serde::{Deserialize, Serialize};
 use track::{RailOffset, Support};
 
 use crate::body::BodyState;
+use crate::contact::WheelOutput;
+use crate::contact::six::Six;
 use crate::energy::Account;
-use crate::six::Six;
-use crate::wheel_output::WheelOutput;
 
 /// Least slip, m/s, by which the slope of the creep force is estimated.
 const LEAST_SLIP: f64 = 1e-4;

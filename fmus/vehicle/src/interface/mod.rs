@@ -1,4 +1,10 @@
 //! The model as an FMU.
+//!
+//! | file | part |
+//! |---|---|
+//! | `signals/` | its variables |
+
+mod signals;
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -7,13 +13,14 @@ use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
 use nalgebra::Vector3;
 use stock::Library;
 
+pub use self::signals::Signals;
+use crate::compile::multibody;
+use crate::contact::Standing;
+use crate::contact::WheelOutput;
+use crate::dynamics::inputs::Inputs;
 use crate::dynamics::{Dynamics, LONGEST_STEP, State};
-use crate::inputs::Inputs;
-use crate::line::Line;
-use crate::signals::Signals;
-use crate::structure::{Structure, multibody};
-use crate::wheel::Standing;
-use crate::wheel_output::WheelOutput;
+use crate::structure::Structure;
+use crate::track::Line;
 
 /// A railway vehicle in three dimensions.
 pub struct Vehicle {
@@ -158,7 +165,7 @@ impl Vehicle {
 /// 41), m/s².
 fn felt(dynamics: &Dynamics, rate: Vector3<f64>) -> Vector3<f64> {
     let (body, state) = (&dynamics.structure.bodies[0], &dynamics.state.bodies[0]);
-    rate - state.frame_forces(body, &dynamics.frames[0]).force / body.mass
+    rate - state.frame_forces(body, &dynamics.scratch.frames[0]).force / body.mass
 }
 
 /// Number of equal steps in an interval, each at most `longest` long.

@@ -7,7 +7,7 @@ use stock::CreepLawKind;
 const DIVISION: (usize, usize) = (5, 20);
 
 /// The law with its parameters; the first modified FASTSIM of a process makes the table.
-pub(crate) fn compiled(creep: &stock::CreepLaw) -> CreepLaw {
+pub(super) fn compiled(creep: &stock::CreepLaw) -> CreepLaw {
     let friction = FallingFriction {
         static_coefficient: creep.friction,
         limit_ratio: creep.limit_ratio,

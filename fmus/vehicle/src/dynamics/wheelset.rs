@@ -9,16 +9,16 @@
 use contact::CreepLaw;
 use nalgebra::Vector3;
 
+use crate::body::Frame;
 use crate::body::{BodyState, RigidBody, Wrench};
-use crate::drive::{Drive, DriveStep};
+use crate::contact::WheelMotion;
+use crate::contact::WheelOutput;
+use crate::contact::six::{self, Six, SixBySix};
+use crate::contact::{Side, Wheel};
+use crate::dynamics::drive::{Drive, DriveStep};
 use crate::energy::Account;
-use crate::frame::Frame;
-use crate::patch::WheelMotion;
-use crate::rail::RailMotion;
-use crate::six::{self, Six, SixBySix};
 use crate::structure::WheelsetData;
-use crate::wheel::{Side, Wheel};
-use crate::wheel_output::WheelOutput;
+use crate::track::RailMotion;
 
 /// A wheelset in its frame with what acts on it besides the rails.
 pub struct WheelsetStep<'a> {

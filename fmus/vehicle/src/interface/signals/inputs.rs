@@ -2,7 +2,7 @@
 
 use fmu::{Declaration, Real, Values, unit};
 
-use crate::inputs::Inputs;
+use crate::dynamics::inputs::Inputs;
 
 /// Handles of the inputs.
 #[derive(Debug)]

@@ -2,17 +2,17 @@
 
 use nalgebra::Vector3;
 
+use crate::body::Frame;
 use crate::dynamics::Dynamics;
-use crate::frame::Frame;
-use crate::inputs::Inputs;
+use crate::dynamics::inputs::Inputs;
 
 impl Dynamics {
     /// Couplers, resistance and synchronisation on the first body. A coupler pulls along the track
     /// where it is, which is towards the inside of a curve (eq. 26).
     pub(crate) fn add_outer_forces(&mut self, inputs: &Inputs) {
-        self.wrenches[0].force.x += inputs.resistance + inputs.synchronisation;
+        self.scratch.wrenches[0].force.x += inputs.resistance + inputs.synchronisation;
         for (i, force) in self.coupler_forces(inputs).into_iter().enumerate() {
-            self.wrenches[0].add(&force, &self.structure.couplers[i]);
+            self.scratch.wrenches[0].add(&force, &self.structure.couplers[i]);
         }
     }
 
@@ -25,8 +25,8 @@ impl Dynamics {
                 return Vector3::zeros();
             }
             let ahead = self.structure.couplers[i].x;
-            let there = Frame::new(self.line.track.at(here + ahead, &mut self.track_index));
-            let turn = self.frames[0].placement(&there, ahead).turn;
+            let there = Frame::new(self.line.track.at(here + ahead, &mut self.scratch.track_index));
+            let turn = self.scratch.frames[0].placement(&there, ahead).turn;
             pulls[i] * Vector3::new(1.0, turn.z, -turn.y)
         })
     }

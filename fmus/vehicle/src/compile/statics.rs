@@ -2,11 +2,11 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 
+use crate::body::frame::GRAVITY;
 use crate::body::{Seen, Wrench};
-use crate::frame::GRAVITY;
 use crate::linear::System;
 use crate::structure::Structure;
-use crate::suspension::ElementEnergy;
+use crate::suspension::energy::ElementEnergy;
 use crate::suspension::pair::Point;
 
 /// Names of a body's coordinates.
@@ -14,7 +14,7 @@ const COORDINATES: [&str; 6] = ["x", "y", "z", "roll", "pitch", "yaw"];
 
 /// What no spring holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Loose {
+pub(super) struct Loose {
     /// Name of the body.
     pub body: String,
     /// Coordinate in which it can move.
@@ -27,7 +27,7 @@ pub(crate) struct Loose {
 ///
 /// # Errors
 /// When a body is not held in all directions.
-pub(crate) fn preload(structure: &mut Structure) -> Result<(), Loose> {
+pub(super) fn preload(structure: &mut Structure) -> Result<(), Loose> {
     let held = System::of_load_bearing_elements(structure).with_wheelsets_held(structure).stiffness;
     let free = held.nrows() / 6;
     let load = load(structure, free);

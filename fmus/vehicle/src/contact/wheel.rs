@@ -3,43 +3,11 @@
 use arrayvec::ArrayVec;
 use contact::{CreepLaw, GeometryTable};
 
-use crate::patch::{Patch, WheelMotion};
+use super::patch::Patch;
+use super::wheel_motion::WheelMotion;
 
 /// Most contacts of a wheel at the same time.
 pub const PATCHES: usize = GeometryTable::MOST_PATCHES;
-
-/// Rail on which a wheel runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// Left rail.
-    Left,
-    /// Right rail.
-    Right,
-}
-
-impl Side {
-    /// Both, in the order of all lists.
-    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
-
-    /// -1 on the left, +1 on the right.
-    pub fn sign(self) -> f64 {
-        match self {
-            Self::Left => -1.0,
-            Self::Right => 1.0,
-        }
-    }
-}
-
-/// Dimensions of a wheel.
-#[derive(Clone, Copy, Debug)]
-pub struct WheelData {
-    /// Radius of the running circle, m.
-    pub radius: f64,
-    /// Distance of the running circle from the track's middle, m.
-    pub half_distance: f64,
-    /// Damping force over normal force for a speed of approach, s/m.
-    pub damping: f64,
-}
 
 /// How a wheel stands on its rail.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

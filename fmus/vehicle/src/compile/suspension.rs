@@ -3,20 +3,20 @@
 use nalgebra::Vector3;
 use stock::{Direction, Multibody};
 
-use super::Suspension;
-use super::centre_plate::CentrePlate;
-use super::damper::Damper;
-use super::friction::Friction;
-use super::grip::Grip;
-use super::pair::{Pair, Point};
-use super::rod::Rod;
-use super::rotational::RotationalSpring;
-use super::side_bearer::SideBearer;
-use super::spring::Spring;
-use super::stop::Stop;
-use super::tabulated::TabulatedSpring;
-use super::wedge::Wedge;
 use crate::body::RigidBody;
+use crate::suspension::Suspension;
+use crate::suspension::centre_plate::CentrePlate;
+use crate::suspension::damper::Damper;
+use crate::suspension::friction::Friction;
+use crate::suspension::grip::Grip;
+use crate::suspension::pair::{Pair, Point};
+use crate::suspension::rod::Rod;
+use crate::suspension::rotational::RotationalSpring;
+use crate::suspension::side_bearer::SideBearer;
+use crate::suspension::spring::Spring;
+use crate::suspension::stop::Stop;
+use crate::suspension::tabulated::TabulatedSpring;
+use crate::suspension::wedge::Wedge;
 
 impl Suspension {
     /// The elements between these bodies, whose names the stock library has checked. Static loads

@@ -3,7 +3,7 @@
 use contact::Creepages;
 use fmu::{Declaration, Reals, Values, unit};
 
-use crate::wheel_output::ContactOutput;
+use crate::contact::ContactOutput;
 
 /// Handles of a contact, in the order in which they are declared.
 #[derive(Debug)]

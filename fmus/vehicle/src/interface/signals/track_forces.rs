@@ -3,7 +3,7 @@
 
 use fmu::{Declaration, Real, Values, unit};
 
-use crate::wheel_output::WheelOutput;
+use crate::contact::WheelOutput;
 
 /// Handles of a wheelset's track forces.
 #[derive(Debug)]

@@ -5,8 +5,8 @@ use fmu::{Declaration, Real, Values, unit};
 use super::contact::ContactSignals;
 use super::track_forces::TrackForceSignals;
 use crate::body::BodyState;
-use crate::wheel::PATCHES;
-use crate::wheel_output::WheelOutput;
+use crate::contact::PATCHES;
+use crate::contact::WheelOutput;
 
 /// Handles of a wheelset.
 #[derive(Debug)]

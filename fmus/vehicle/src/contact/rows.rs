@@ -5,10 +5,10 @@
 //! their transposes carry the forces back, so that force and slip have the same power. Of each row
 //! only the entries that are not zero are kept, at the places below.
 
-use contact::{PressedPatch, SlipVelocity};
+use contact::{CreepForces, PressedPatch, SlipVelocity};
 
-use crate::patch::{Linearised, WheelMotion};
-use crate::six::{Six, SixBySix, add, add_outer, dot};
+use super::six::{Six, SixBySix, add, add_outer, dot};
+use super::wheel_motion::WheelMotion;
 
 /// Places of the row of the longitudinal slip among the six velocities.
 const LONGITUDINAL: [usize; 4] = [0, 1, 4, 5];
@@ -42,6 +42,21 @@ pub struct ContactMotion {
     pub slip: SlipVelocity,
     /// Speed of approach along the normal, m/s.
     pub approach: f64,
+}
+
+/// Forces of a contact at the beginning of a step, and how they change with slip.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Linearised {
+    /// Normal force, N.
+    pub normal: f64,
+    /// Its change with the speed of approach, N s/m.
+    pub normal_damping: f64,
+    /// Creep forces on the wheel.
+    pub creep: CreepForces,
+    /// Semi-axis of the contact in the rolling direction, m.
+    pub a: f64,
+    /// Semi-axis across, m.
+    pub b: f64,
 }
 
 impl Rows {
