@@ -1,16 +1,16 @@
 //! Kalker's linear creep coefficients.
 //!
-//! For small creepages the forces on the wheel are
+//! For small creepages, xi positive in traction, the forces on the wheel are
 //!
 //! ```text
-//! Fx = -G a b C11 xi
+//! Fx = +G a b C11 xi
 //! Fy = -G a b C22 eta - G (a b)^(3/2) C23 phi
 //! Mz = +G (a b)^(3/2) C23 eta - G (a b)^2 C33 phi
 //! ```
 //!
 //! C11, C22, C23 are table E.3 of Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990),
-//! as tabled in the source of CONTACT; C33 is recalled, and agrees with an independent public code
-//! (`reference/vehicle.md` 4.3). Between Poisson's ratios 0, 0.25 and 0.5 a parabola in 1/C is used,
+//! as tabled in the source of CONTACT (Vollebregt); C33 is Kalker's as an independent public code has
+//! it. Between Poisson's ratios 0, 0.25 and 0.5 a parabola in 1/C is used,
 //! as in CONTACT; between the rows the values are linear in the ratio of the semi-axes. Below a
 //! ratio of 0.1 they follow Kalker's asymptotes, scaled to meet the table at 0.1.
 

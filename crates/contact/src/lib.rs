@@ -31,7 +31,9 @@ pub use creep::friction::FallingFriction;
 pub use creep::law::CreepLaw;
 pub use creep::modified_fastsim::ModifiedFastsim;
 pub use creep::polach::Polach;
-pub use creep::{CreepForces, Creepages, REFERENCE_SPEED_MIN, SlipVelocity};
+pub use creep::{
+    CreepDamping, CreepForces, Creepages, REFERENCE_SPEED_MIN, SlipVelocity, TangentialForce,
+};
 pub use error::ContactError;
 pub use geometry::conicity::EquivalentConicity;
 pub use geometry::contact_point::{ContactPatch, ContactPoint};

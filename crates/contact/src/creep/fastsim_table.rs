@@ -13,7 +13,7 @@
 //! (`property_table_follows_the_march`). It goes over m/(1 + m), ny/(nx + ny), z/(z + sqrt(nx² +
 //! ny²)) and a/(a + b).
 
-use super::fastsim::{Action, Division, Motion, march};
+use super::fastsim::{ScaledForces, Division, ScaledCreepages, march};
 use std::array::from_fn;
 use std::fmt;
 use std::sync::OnceLock;
@@ -100,12 +100,12 @@ impl FastsimTable {
         Self { nodes }
     }
 
-    /// The law at a motion.
+    /// The law at these creepages.
     #[inline]
-    pub(crate) fn at(&self, motion: &Motion) -> Ratios {
-        let both = (motion.a_over_b + 1.0 / motion.a_over_b).sqrt();
-        let (nx, ny) = (motion.longitudinal.abs(), motion.lateral.abs());
-        let z = both * motion.spin.abs();
+    pub(crate) fn at(&self, creepages: &ScaledCreepages) -> Ratios {
+        let both = (creepages.a_over_b + 1.0 / creepages.a_over_b).sqrt();
+        let (nx, ny) = (creepages.longitudinal.abs(), creepages.lateral.abs());
+        let z = both * creepages.spin.abs();
         let slide = (nx * nx + ny * ny).sqrt();
         let m = (nx * nx + ny * ny + z * z).sqrt();
         // A wheel that does not creep at all has any direction.
@@ -115,10 +115,10 @@ impl FastsimTable {
             inside / (1.0 + inside) * ((1.0 + LARGEST) / LARGEST),
             ny / (nx + ny + tiny),
             z / (slide + z + tiny),
-            (motion.a_over_b / (1.0 + motion.a_over_b) - SHAPES.0) * PER_SHAPES,
+            (creepages.a_over_b / (1.0 + creepages.a_over_b) - SHAPES.0) * PER_SHAPES,
         ];
         let v = self.interpolated(places);
-        let turn = 1.0_f64.copysign(motion.lateral * motion.spin);
+        let turn = 1.0_f64.copysign(creepages.lateral * creepages.spin);
         // 1/q; beyond the table's end f keeps the size it has there.
         let shrink = if m > LARGEST { LARGEST / m } else { 1.0 };
         let scale = shrink / (1.0 + inside * inside).sqrt();
@@ -172,21 +172,21 @@ fn node(index: [usize; 4]) -> Node {
     let (nx, ny) = (slide * (1.0 - direction) / diagonal, slide * direction / diagonal);
     let at = |lateral: f64| {
         let nz = z / (a_over_b + 1.0 / a_over_b).sqrt();
-        march(&Motion { longitudinal: nx, lateral, spin: nz, a_over_b }, DIVISION)
+        march(&ScaledCreepages { longitudinal: nx, lateral, spin: nz, a_over_b }, DIVISION)
     };
     let q = (1.0 + m * m).sqrt();
     let (with, against) = (at(ny), at(-ny));
-    let even = |of: fn(&Action) -> f64| 0.5 * (of(&with) + of(&against)) * q / z;
-    let odd = |of: fn(&Action) -> f64| 0.5 * (of(&with) - of(&against)) * q / ny;
+    let even = |of: fn(&ScaledForces) -> f64| 0.5 * (of(&with) + of(&against)) * q / z;
+    let odd = |of: fn(&ScaledForces) -> f64| 0.5 * (of(&with) - of(&against)) * q / ny;
     let across = 0.5 * q / nx;
     let ratios = [
         across * (with.longitudinal + against.longitudinal),
-        odd(|action| action.lateral),
-        even(|action| action.lateral),
-        even(|action| action.moment_x),
-        odd(|action| action.moment_x),
-        even(|action| action.moment_y),
-        odd(|action| action.moment_y),
+        odd(|forces| forces.lateral),
+        even(|forces| forces.lateral),
+        even(|forces| forces.moment_x),
+        odd(|forces| forces.moment_x),
+        even(|forces| forces.moment_y),
+        odd(|forces| forces.moment_y),
         across * (with.longitudinal - against.longitudinal),
     ];
     ratios.map(|ratio| ratio as f32)
@@ -213,15 +213,15 @@ mod tests {
             let m = 10_f64.powf(3.0 * r[0] - 2.0);
             let (turn, tilt) = (std::f64::consts::TAU * r[1], std::f64::consts::PI * (r[2] - 0.5));
             let a_over_b = 12_f64.powf(2.0 * r[3] - 1.0);
-            let motion = Motion {
+            let creepages = ScaledCreepages {
                 longitudinal: m * tilt.cos() * turn.cos(),
                 lateral: m * tilt.cos() * turn.sin(),
                 spin: m * tilt.sin() / (a_over_b + 1.0 / a_over_b).sqrt(),
                 a_over_b,
             };
-            let exact = march(&motion, fine);
-            let v = table.at(&motion);
-            let (nx, ny, nz) = (motion.longitudinal, motion.lateral, motion.spin);
+            let exact = march(&creepages, fine);
+            let v = table.at(&creepages);
+            let (nx, ny, nz) = (creepages.longitudinal, creepages.lateral, creepages.spin);
             let errors = [
                 v.longitudinal * nx - exact.longitudinal,
                 v.lateral * ny + v.spin * nz - exact.lateral,

@@ -140,7 +140,7 @@ fn benchmark_fastsim_eurosprinter_force_and_power() {
             for (name, law) in laws {
                 let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
                 let case = |what: &str| format!("{what} {name} at {creepage}");
-                near(&case("force"), -found.longitudinal, force, 0.01 * force);
+                near(&case("force"), found.force.longitudinal, force, 0.01 * force);
                 let lost = (force * SPEED * creepage - power).max(0.0);
                 near(&case("power"), found.friction_power, power + lost, 0.01 * power);
             }
@@ -165,7 +165,7 @@ fn analytic_fastsim_grid_error_is_of_first_order() {
             near(&format!("loss at {creepage}"), lost(coarse) / lost(fine), 2.0, 0.02);
             let (force, power) = (2.0 * fine.0 - coarse.0, 2.0 * fine.1 - coarse.1);
             let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
-            near(&format!("force at {creepage}"), -found.longitudinal, force, 1e-3 * force);
+            near(&format!("force at {creepage}"), found.force.longitudinal, force, 1e-3 * force);
             near(&format!("power at {creepage}"), found.friction_power, power, 1e-3 * power);
         }
     }
@@ -182,7 +182,7 @@ fn benchmark_fastsim_eurosprinter_as_printed() {
         for &(creepage, force, power) in series.rows {
             let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
             if creepage >= force_from {
-                near(&format!("force at {creepage}"), -found.longitudinal, force, 0.015 * force);
+                near(&format!("force at {creepage}"), found.force.longitudinal, force, 0.015 * force);
             }
             if creepage >= power_from {
                 near(&format!("power at {creepage}"), found.friction_power, power, 0.015 * power);
@@ -200,7 +200,7 @@ fn analytic_fastsim_power_is_force_times_slip() {
             let law = ModifiedFastsim::on_line(series.reduction, series.friction, 10, elements);
             for creepage in [0.0004, 0.01, 0.25] {
                 let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
-                let power = -found.longitudinal * SPEED * creepage;
+                let power = found.force.longitudinal * SPEED * creepage;
                 near("power in W", found.friction_power, power, 1e-12 * power);
             }
         }
@@ -227,7 +227,7 @@ fn benchmark_fastsim_lateral_creep_with_spin() {
     ];
     for law in laws {
         let force = law.force(&patch, &slip, SPEED);
-        let share = force.lateral / (0.3 * patch.normal_force);
+        let share = force.force.lateral / (0.3 * patch.normal_force);
         near("lateral force by mu N", share, -0.6359, 0.015 * 0.6359);
         near("lateral force by mu N", share, -0.6074, 0.06 * 0.6074);
     }
@@ -247,8 +247,8 @@ fn analytic_fastsim_starts_with_kalker() {
     ] {
         let (found, kalker) =
             (law.force(&patch, &slip, SPEED), CreepLaw::KalkerLinear.force(&patch, &slip, SPEED));
-        let size = kalker.longitudinal.abs() + kalker.lateral.abs();
-        near("longitudinal", found.longitudinal, kalker.longitudinal, 0.015 * size);
-        near("lateral", found.lateral, kalker.lateral, 0.015 * size);
+        let size = kalker.force.longitudinal.abs() + kalker.force.lateral.abs();
+        near("longitudinal", found.force.longitudinal, kalker.force.longitudinal, 0.015 * size);
+        near("lateral", found.force.lateral, kalker.force.lateral, 0.015 * size);
     }
 }

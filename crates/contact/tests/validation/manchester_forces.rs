@@ -80,7 +80,8 @@ fn cases() -> Vec<Case> {
 impl Case {
     fn new(row: &Row, contact: &WheelContact, right: bool) -> Self {
         let [displacement, xi, eta, phi, load, fx, fy, power] = *row;
-        let [longitudinal, lateral, spin] = [xi, eta, phi].map(|creepage| -SPEED * creepage);
+        // CONTACT's creepages are rail less wheel, of which the longitudinal one is positive in traction.
+        let (longitudinal, lateral, spin) = (SPEED * xi, -SPEED * eta, -SPEED * phi);
         let side = if right { "right" } else { "left" };
         Self {
             name: format!("{side} wheel at {displacement} mm"),
@@ -97,8 +98,8 @@ impl Case {
     fn check(&self, law: &str, found: &CreepForces, [fx, fy]: [f64; 2], power: f64) {
         let case = |what: &str| format!("{what} {law}, {}", self.name);
         let limit = FRICTION * self.patch.normal_force;
-        near(&case("Fx in N"), found.longitudinal, self.force[0], fx * limit);
-        near(&case("Fy in N"), found.lateral, self.force[1], fy * limit);
+        near(&case("Fx in N"), found.force.longitudinal, self.force[0], fx * limit);
+        near(&case("Fy in N"), found.force.lateral, self.force[1], fy * limit);
         near(&case("power in W"), found.friction_power, self.power, power * self.power);
     }
 }

@@ -1,25 +1,27 @@
 //! How a contact moves with its wheelset, and how its forces act on it.
 //!
-//! Rows `longitudinal`, `lateral` and `normal` give the velocity of the wheel's contact point in
-//! the three directions of the contact from the wheelset's velocities (vx, vy, vz, wx, wy, wz);
-//! their transposes carry the forces back, so that force and slip have the same power. Of each row
-//! only the entries that are not zero are kept, at the places below.
+//! Each row gives one velocity of the contact from the wheelset's six (vx, vy, vz, wx, wy, wz):
+//! longitudinal slip, positive in traction; lateral slip, to the right; approach, towards the rail; and
+//! rotation about the normal. The transposed rows carry the forces back, so that force and slip have the
+//! same power. Traction drives the wheelset against its longitudinal slip, as the normal force pushes it
+//! against the approach; so these two forces go back with a minus. Of each row only the entries that are
+//! not zero are kept, at the indices below.
 
 use contact::{CreepForces, PressedPatch, SlipVelocity};
 
 use super::six::{Six, SixBySix, add, add_outer, dot};
 use super::wheel_motion::WheelMotion;
 
-/// Places of the row of the longitudinal slip among the six velocities.
+/// Entries of the row of the longitudinal slip that are not zero.
 const LONGITUDINAL: [usize; 4] = [0, 1, 4, 5];
 
-/// Places of the row of the lateral slip.
+/// Those of the row of the lateral slip.
 const LATERAL: [usize; 6] = [0, 1, 2, 3, 4, 5];
 
-/// Places of the row of the approach.
+/// Those of the row of the approach.
 const NORMAL: [usize; 5] = [0, 1, 2, 3, 5];
 
-/// Places of the row of the rotation about the normal.
+/// Those of the row of the rotation about the normal.
 const SPIN: [usize; 2] = [4, 5];
 
 /// The four rows of a contact.
@@ -60,7 +62,7 @@ pub struct Linearised {
 }
 
 impl Rows {
-    /// The rows of a contact that presses so on a wheel that moves so.
+    /// The rows of a pressed contact of a wheel in motion.
     #[inline]
     pub fn new(pressed: &PressedPatch, wheel: &WheelMotion) -> Self {
         let (PressedPatch { point, .. }, data) = (pressed, wheel.data);
@@ -74,13 +76,13 @@ impl Rows {
         let turned = -sign * yaw * point.slope;
         let ahead = radius * turned;
         let below = radius * (1.0 - 0.5 * turned * turned);
-        // The derivatives of the place in the table (eq. 16), so that the normal force does the work of
+        // The derivatives of the table's coordinates (eq. 16), so that the normal force does the work of
         // the elastic energy.
         let (by_shift, by_descent) = (sign * pressed.by_shift, pressed.by_descent);
         let arm = sign * (data.half_distance + pressed.roll_arm);
         let by_yaw = 2.0 * yaw * pressed.by_yaw_squared;
         Self {
-            longitudinal: [1.0, yaw, below, -across],
+            longitudinal: [-1.0, -yaw, -below, across],
             lateral: [
                 -yaw * cos,
                 cos,
@@ -118,11 +120,11 @@ impl Rows {
     #[inline]
     pub fn add(&self, forces: &Linearised, step: f64, matrix: &mut SixBySix, right: &mut Six) {
         let Linearised { normal, normal_damping, creep, .. } = forces;
-        add_outer(LONGITUDINAL, &self.longitudinal, step * creep.damping, matrix);
-        add_outer(LATERAL, &self.lateral, step * creep.lateral_damping, matrix);
+        add_outer(LONGITUDINAL, &self.longitudinal, step * creep.damping.longitudinal, matrix);
+        add_outer(LATERAL, &self.lateral, step * creep.damping.lateral, matrix);
         add_outer(NORMAL, &self.normal, step * normal_damping, matrix);
-        add(LONGITUDINAL, &self.longitudinal, creep.longitudinal, right);
-        add(LATERAL, &self.lateral, creep.lateral, right);
+        add(LONGITUDINAL, &self.longitudinal, -creep.force.longitudinal, right);
+        add(LATERAL, &self.lateral, creep.force.lateral, right);
         add(SPIN, &self.spin, creep.spin_moment, right);
         add(NORMAL, &self.normal, -normal, right);
     }

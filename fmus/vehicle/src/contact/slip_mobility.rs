@@ -37,8 +37,9 @@ impl SlipMobility {
     /// forces stay.
     #[inline]
     pub fn reduce(&self, creep: &mut CreepForces, step: f64) {
-        creep.damping *= share(step * creep.damping * self.longitudinal);
-        creep.lateral_damping *= share(step * creep.lateral_damping * self.lateral);
+        let damping = &mut creep.damping;
+        damping.longitudinal *= share(step * damping.longitudinal * self.longitudinal);
+        damping.lateral *= share(step * damping.lateral * self.lateral);
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a wheel does to its rail, and feels, at the end of a step.
 
-use contact::{Creepages, SlipVelocity};
+use contact::{Creepages, SlipVelocity, TangentialForce};
 
 use super::patch::Patch;
 use super::rows::{ContactMotion, Linearised};
@@ -14,12 +14,10 @@ const LEAST_POWER: f64 = 1e-9;
 /// One contact, or all of a wheel, at the end of a step; all zero without contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactOutput {
-    /// Creepages; longitudinal positive in traction, lateral and spin of the wheel on the rail.
+    /// Creepages.
     pub creepages: Creepages,
-    /// Creep force on the wheel along the track, N, positive when it drives the vehicle forward.
-    pub longitudinal: f64,
-    /// Creep force on the wheel across, in the contact plane, N, positive to the right.
-    pub lateral: f64,
+    /// Creep force on the wheel.
+    pub force: TangentialForce,
     /// Normal force, N.
     pub normal: f64,
     /// Power turned into heat, W.
@@ -28,7 +26,7 @@ pub struct ContactOutput {
     pub a: f64,
     /// Semi-axis across, m.
     pub b: f64,
-    /// Place on the rail head, m from its top, negative towards the gauge side.
+    /// Contact on the rail head, m from its top, negative towards the gauge side.
     pub rail_lateral: f64,
     /// Contact angle, rad, positive as on a tread.
     pub angle: f64,
@@ -54,11 +52,10 @@ pub struct WheelOutput {
 
 /// Forces of a contact at the end of a step, N.
 struct EndForces {
-    longitudinal: f64,
-    lateral: f64,
+    creep: TangentialForce,
     normal: f64,
     /// Moment about the normal, N m.
-    spin: f64,
+    spin_moment: f64,
 }
 
 impl EndForces {
@@ -66,16 +63,22 @@ impl EndForces {
     fn new(forces: &Linearised, change: &ContactMotion) -> Self {
         let creep = &forces.creep;
         Self {
-            longitudinal: creep.longitudinal - creep.damping * change.slip.longitudinal,
-            lateral: creep.lateral - creep.lateral_damping * change.slip.lateral,
+            creep: TangentialForce {
+                longitudinal: creep.force.longitudinal
+                    + creep.damping.longitudinal * change.slip.longitudinal,
+                lateral: creep.force.lateral - creep.damping.lateral * change.slip.lateral,
+            },
             normal: forces.normal + forces.normal_damping * change.approach,
-            spin: creep.spin_moment,
+            spin_moment: creep.spin_moment,
         }
     }
 
     /// Power that creep takes from the wheelset at this slip, W.
     fn heat(&self, slip: &SlipVelocity) -> f64 {
-        -self.longitudinal * slip.longitudinal - self.lateral * slip.lateral - self.spin * slip.spin
+        let Self { creep, spin_moment, .. } = self;
+        creep.longitudinal * slip.longitudinal
+            - creep.lateral * slip.lateral
+            - spin_moment * slip.spin
     }
 }
 
@@ -107,8 +110,8 @@ impl WheelOutput {
             let middle = patch.motion.after(0.5, &change);
             heat.friction += end.heat(&middle.slip);
             heat.damping += (end.normal - patch.elastic_force) * middle.approach;
-            guiding += patch.rows.across(end.lateral, end.normal);
-            vertical += patch.rows.upwards(end.lateral, end.normal);
+            guiding += patch.rows.across(end.creep.lateral, end.normal);
+            vertical += patch.rows.upwards(end.creep.lateral, end.normal);
             let shown = &mut self.patches[patch.number];
             *shown = ContactOutput::new(patch, &end, &patch.motion.after(1.0, &change).slip, speed);
             let weight = shown.friction_power.max(0.0) + LEAST_POWER * shown.normal;
@@ -137,12 +140,9 @@ impl ContactOutput {
     /// The contact with these forces and this slip.
     #[inline]
     fn new(patch: &Patch, end: &EndForces, slip: &SlipVelocity, speed: f64) -> Self {
-        let mut creepages = slip.creepages(speed);
-        creepages.longitudinal = -creepages.longitudinal;
         Self {
-            creepages,
-            longitudinal: end.longitudinal,
-            lateral: end.lateral,
+            creepages: slip.creepages(speed),
+            force: end.creep,
             normal: end.normal,
             friction_power: end.heat(slip),
             a: patch.forces.a,
@@ -155,8 +155,8 @@ impl ContactOutput {
     /// Adds a contact, with `weight` in the means.
     #[inline]
     fn add(&mut self, patch: &Self, weight: f64) {
-        self.longitudinal += patch.longitudinal;
-        self.lateral += patch.lateral;
+        self.force.longitudinal += patch.force.longitudinal;
+        self.force.lateral += patch.force.lateral;
         self.normal += patch.normal;
         self.friction_power += patch.friction_power;
         self.creepages.longitudinal += weight * patch.creepages.longitudinal;

@@ -4,7 +4,7 @@
 //! For the wheel on side s = ±1 of a wheelset, with the half distance e of the contacts, radius r,
 //! conicity λ and Kalker's coefficients f11, f22 (eq. 35):
 //!
-//!   longitudinal creepage  (dx/dt + r dθ/dt - s e dψ/dt)/V - s λ y/r,   force -f11 times that
+//!   longitudinal creepage  s λ y/r - (dx/dt + r dθ/dt - s e dψ/dt)/V,   force f11 times that
 //!   lateral creepage       (dy/dt - r dφ/dt)/V - ψ,                     force -f22 times that
 //!
 //! and a vertical spring with damping. Without gravity stiffness, spin and gyroscopic moments.

@@ -125,5 +125,5 @@ fn contact_stiffness(wheel: &WheelOutput) -> f64 {
 fn creep_slope(wheel: &WheelOutput, speed: f64) -> f64 {
     let creepage = wheel.total.creepages.longitudinal.hypot(wheel.total.creepages.lateral);
     let slip = (creepage * speed.abs()).max(LEAST_SLIP);
-    wheel.total.longitudinal.hypot(wheel.total.lateral) / slip
+    wheel.total.force.longitudinal.hypot(wheel.total.force.lateral) / slip
 }

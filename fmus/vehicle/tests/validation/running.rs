@@ -12,7 +12,7 @@ fn analytic_creep_forces_carry_the_traction() {
     let inputs = Inputs { traction: 200e3, rear_coupler: 200e3, ..Inputs::none(FRICTION) };
     let mut vehicle = started(locomotive(), "", 16.67, &inputs);
     run(&mut vehicle, 5.0, &inputs);
-    let sum: f64 = vehicle.wheels.iter().flatten().map(|wheel| wheel.total.longitudinal).sum();
+    let sum: f64 = vehicle.wheels.iter().flatten().map(|wheel| wheel.total.force.longitudinal).sum();
     assert_close(sum, 200e3, 1e-2);
 }
 
@@ -29,7 +29,7 @@ fn analytic_guiding_forces_balance_the_centrifugal_force() {
         .zip(&vehicle.structure.wheelsets)
         .flat_map(|(wheels, data)| {
             let yaw = vehicle.state.bodies[data.body].rotation.z;
-            wheels.iter().map(move |wheel| wheel.guiding + yaw * wheel.total.longitudinal)
+            wheels.iter().map(move |wheel| wheel.guiding + yaw * wheel.total.force.longitudinal)
         })
         .sum();
     assert_close(lateral, 134e3 * vehicle.velocity().powi(2) / 800.0, 1e-3);
@@ -171,7 +171,7 @@ fn property_sand_brings_a_spinning_locomotive_back() {
     let pulling = |friction| Inputs { traction: 240e3, ..Inputs::none(friction) };
     let mut vehicle = started(locomotive(), "", 10.0, &pulling(0.36));
     let creepage = |vehicle: &Dynamics| vehicle.wheels[0][0].total.creepages.longitudinal;
-    let force = |vehicle: &Dynamics| vehicle.wheels[0][0].total.longitudinal;
+    let force = |vehicle: &Dynamics| vehicle.wheels[0][0].total.force.longitudinal;
     let wet = pulling(0.15);
     run(&mut vehicle, 0.2, &wet);
     let (spinning, pull) = (creepage(&vehicle), force(&vehicle));
