@@ -7,11 +7,14 @@ use std::process::Command;
 use clap::Args;
 use miette::{IntoDiagnostic, Result, miette};
 
-use crate::pack::{self, Binary};
+use crate::check::reference;
+use crate::files::archive;
+use crate::fmi::pack::{self, Binary};
 use crate::run::{self, Options};
+use crate::run::{expected, workplace};
 use crate::scenario::Times;
 use crate::ssp::{self, SystemOptions};
-use crate::{archive, expected, recording, reference, report, scenario, supervise, workplace};
+use crate::{recording, report, scenario, supervise};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]

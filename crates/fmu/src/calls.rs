@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::variable::{Causality, Variability, Variable};
+use crate::variables::{Causality, Variability, Variable};
 
 /// Where an instance stands in its life (the states of §4.2.4).
 ///

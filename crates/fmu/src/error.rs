@@ -103,14 +103,14 @@ pub enum Error {
     },
 
     /// The value is not allowed.
-    #[error("`{variable}` cannot be {value}: it must be {bounds}")]
-    OutOfBounds {
+    #[error("`{variable}` cannot be {value}: it must be {requirement}")]
+    NotAllowed {
         /// The variable.
         variable: String,
-        /// The value.
+        /// The value with its unit.
         value: String,
         /// What is allowed.
-        bounds: String,
+        requirement: String,
     },
 
     /// The number of values is not that of the value references.

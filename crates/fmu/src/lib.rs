@@ -1,26 +1,17 @@
 //! A Rust model becomes an FMI 2.0 co-simulation FMU.
 //!
-//! The author of a model writes one typed [`Declaration`] of its variables and implements
-//! [`Model`]; everything a simulation tool sees follows from these two:
+//! The author of a model says its variables in tables, [`variables!`], and implements [`Model`];
+//! everything a simulation tool sees follows from these two:
 //!
-//! | file | part |
+//! | room | part |
 //! |---|---|
-//! | `unit.rs` | SI units as `UnitDefinitions` has them |
-//! | `variable.rs` | the declaration of the variables, and the handles it gives |
-//! | `values.rs` | the values of an instance's variables, read and written by handle |
-//! | `model.rs` | the trait a physical model implements |
-//! | `instance.rs` | the state machine: from being made to being terminated |
+//! | `variables/` | the variables: tables, declaration, units, bounds, handles, values |
+//! | `model.rs` | the trait that a physical model implements |
 //! | `calls.rs` | which call is allowed when: the table of the standard |
-//! | `stepping.rs` | the step, and what is checked before and after it |
-//! | `exchange.rs` | getting and setting values |
-//! | `restore.rs`, `state.rs` | saving an instance, setting it back, serializing |
-//! | `interface.rs`, `guid.rs` | the declaration, checked and compact, and its fingerprint |
-//! | `logging.rs`, `error.rs`, `status.rs` | what is told to the user, and what is returned |
-//! | `description.rs` | `modelDescription.xml` |
-//! | `signal_table.rs` | `documentation/index.html` |
-//! | `terminals.rs` | `terminalsAndIcons/terminalsAndIcons.xml` |
-//! | `abi.rs`, `export.rs` | the C functions, and their names in an FMU's library |
-//! | `resource_location.rs` | the URI of the resources folder |
+//! | `instance/` | the state machine, from being made to being terminated |
+//! | `description/` | `modelDescription.xml` and what else describes the FMU |
+//! | `abi/` | the C functions, and their names in an FMU's library |
+//! | `error.rs`, `status.rs` | why a call did not succeed, and what it returns |
 //!
 //! An [`Instance`] is the whole FMU in safe Rust; the C functions add pointers and nothing else.
 //! This is a model that integrates its input, and a run of it:
@@ -28,15 +19,30 @@
 //! ```
 //! use std::borrow::Cow;
 //! use std::path::Path;
-//! use fmu::{Declaration, Identity, Instance, Interval, Log, Model, ModelError, Real, Values, unit};
+//! use fmu::{
+//!     Declaration, Handles, Identity, Instance, Interval, Log, Model, ModelError, Values, Variables,
+//! };
 //!
-//! struct Integrator {
-//!     position: f64,
-//! }
+//! fmu::variables! {
+//!     /// What moves the vehicle.
+//!     pub struct Motion: input {
+//!         /// Speed
+//!         speed: "speed", METRE_PER_SECOND = 0.0;
+//!     }
 //!
-//! struct Signals {
-//!     speed: Real,
-//!     position: Real,
+//!     /// Where the vehicle is.
+//!     pub struct Integrator: output {
+//!         /// Position
+//!         position: "position", METRE;
+//!     }
+//!
+//!     /// All variables.
+//!     pub struct Signals {
+//!         /// What moves the vehicle.
+//!         motion: "", group(Motion);
+//!         /// Where it is.
+//!         integrator: "", group(Integrator);
+//!     }
 //! }
 //!
 //! impl Model for Integrator {
@@ -46,36 +52,38 @@
 //!         description: "Position from speed",
 //!         default_step: 0.1,
 //!     };
-//!     type Signals = Signals;
+//!     type Signals = Handles<Signals>;
 //!     type State = f64;
 //!
-//!     fn declare(_: &Path, declaration: &mut Declaration) -> Result<Signals, ModelError> {
-//!         Ok(Signals {
-//!             speed: declaration.real("speed", unit::METRE_PER_SECOND, "Speed").input(0.0),
-//!             position: declaration.real("position", unit::METRE, "Position").output(),
-//!         })
+//!     fn declare(
+//!         _resources: &Path,
+//!         declaration: &mut Declaration,
+//!     ) -> Result<Handles<Signals>, ModelError> {
+//!         Ok(Signals::declare(declaration, ""))
 //!     }
 //!
 //!     fn initialize(
-//!         signals: &Signals,
+//!         signals: &Handles<Signals>,
 //!         values: &mut Values,
 //!         _resources: &Path,
 //!         _start_time: f64,
 //!         _log: &mut Log,
 //!     ) -> Result<Self, ModelError> {
-//!         values[signals.position] = 0.0;
-//!         Ok(Self { position: 0.0 })
+//!         let integrator = Self { position: 0.0 };
+//!         integrator.write(&signals.integrator, values);
+//!         Ok(integrator)
 //!     }
 //!
 //!     fn step(
 //!         &mut self,
-//!         signals: &Signals,
+//!         signals: &Handles<Signals>,
 //!         values: &mut Values,
 //!         interval: Interval,
 //!         _log: &mut Log,
 //!     ) -> Result<(), ModelError> {
-//!         self.position += values[signals.speed] * interval.length;
-//!         values[signals.position] = self.position;
+//!         let motion = Motion::read(&signals.motion, values);
+//!         self.position += motion.speed * interval.length;
+//!         self.write(&signals.integrator, values);
 //!         Ok(())
 //!     }
 //!
@@ -94,10 +102,10 @@
 //! instance.setup_experiment(0.0, None)?;
 //! instance.enter_initialization_mode()?;
 //! instance.exit_initialization_mode()?;
-//! let speed = instance.signals().speed.reference();
+//! let speed = instance.signals().motion.speed.reference();
 //! instance.set_real(&[speed], [2.0])?;
 //! instance.do_step(0.0, 0.5)?;
-//! assert_eq!(instance.values()[instance.signals().position], 1.0);
+//! assert_eq!(instance.values()[instance.signals().integrator.position], 1.0);
 //! # Ok(())
 //! # }
 //! ```
@@ -110,35 +118,21 @@ pub mod abi;
 mod calls;
 mod description;
 mod error;
-mod exchange;
-mod export;
-mod guid;
 mod instance;
-mod interface;
-mod logging;
 mod model;
-mod resource_location;
-mod restore;
-mod signal_table;
-mod state;
 mod status;
-mod stepping;
-mod terminals;
-pub mod unit;
-mod values;
-mod variable;
+mod variables;
 
 pub use calls::{Call, Phase};
-pub use description::model_description;
+pub use description::{documentation, model_description, signal_table_html, terminals};
 pub use error::Error;
-pub use guid::Guid;
 pub use instance::Instance;
-pub use logging::{Category, Sink};
+pub use instance::logging::{Category, Sink};
+pub use instance::state::SavedState;
 pub use model::{Identity, Interval, Log, LogLevel, Model, ModelError};
-pub use signal_table::{documentation, signal_table_html};
-pub use state::SavedState;
 pub use status::Status;
-pub use terminals::{Terminal, terminals};
-pub use unit::Unit;
-pub use values::{Boolean, Integer, Real, Reals, Text, Values};
-pub use variable::{Causality, Declaration, Initial, Kind, Variability, Variable};
+pub use variables::{
+    Boolean, Bounds, Causality, Choice, Declaration, FileHandle, Guid, Handles, Initial, Integer,
+    Kind, Real, Reals, ResourceFile, Scope, Terminal, Text, Type, Unit, Values, Variability,
+    Variable, VariableDeclaration, Variables, above, unit,
+};

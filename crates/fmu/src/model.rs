@@ -6,8 +6,7 @@ use std::path::Path;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::values::Values;
-use crate::variable::Declaration;
+use crate::variables::{Declaration, Values};
 
 /// Who a model is: the attributes at the root of its model description.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,11 @@
 //! The controller that keeps one vehicle at its place in the train, as a model of its own, so
 //! that a system of FMUs is complete without Hotfoot's master.
 //!
-//! The law stands in the crate `controller`, which the master uses too; here is only the way
-//! from the FMU's variables to it and back (`interface.rs`).
+//! The law stands in the crate `controller`, which the master uses too. Here are the FMU's variables
+//! (`signals.rs`), and how a step takes and gives them (`interface.rs`).
 
 mod interface;
+mod signals;
 
-pub use interface::{Signals, Synchronisation};
+pub use interface::Synchronisation;
+pub use signals::{Force, Gains, Motion, Signals};

@@ -27,7 +27,7 @@ fn set_errors(instance: &mut Instance<Synchronisation>, (position, velocity): (f
 }
 
 fn force(instance: &Instance<Synchronisation>) -> f64 {
-    instance.values()[instance.signals().force]
+    instance.values()[instance.signals().force.force]
 }
 
 /// Bosomworth et al. 2018, eq. 7 with the paper's 2 kN/m and 10 kN/(m/s), the defaults; the
@@ -49,7 +49,7 @@ fn benchmark_the_force_follows_the_errors_one_step_later() {
 #[test]
 fn property_a_restored_controller_goes_on_with_the_same_bits() {
     let mut controller = instance();
-    let integral = controller.signals().integral.reference();
+    let integral = controller.signals().gains.integral.reference();
     controller.set_real(&[integral], [700.0]).unwrap();
     initialize(&mut controller, (0.3, 0.0));
     controller.do_step(0.0, STEP).unwrap();
@@ -64,7 +64,7 @@ fn property_a_restored_controller_goes_on_with_the_same_bits() {
 #[test]
 fn errors_beyond_all_numbers_are_refused_with_a_sentence() {
     let mut controller = instance();
-    let limit = controller.signals().limit.reference();
+    let limit = controller.signals().gains.limit.reference();
     controller.set_real(&[limit], [f64::MAX]).unwrap();
     initialize(&mut controller, (0.0, 0.0));
     set_errors(&mut controller, (1e308, -1e308));

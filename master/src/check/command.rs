@@ -6,10 +6,10 @@ use clap::Args;
 use miette::{IntoDiagnostic, Result, miette};
 
 use super::{Severity, check, rules};
+use crate::check::reference::{self, Verdict};
 use crate::fmi::Import;
-use crate::reference::{self, Verdict};
-use crate::roles::{self, Role};
 use crate::supervise;
+use crate::train::roles::{self, Role};
 
 /// Arguments of `hotfoot check`.
 #[derive(Args)]

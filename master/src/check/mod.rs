@@ -9,6 +9,7 @@
 //! | `structure.rs`, `dependencies.rs` | outputs, initial unknowns, and what they depend on |
 //! | `package.rs` | the files of the FMU, and its binary |
 //! | `terminals.rs` | the terminals |
+//! | `reference/` | the reference result that an FMU carries as a self-test |
 //! | `command.rs` | the command |
 //!
 //! The checkers of other makers each see a part of this (`docs/user-guide/fmus.md` has a table);
@@ -22,6 +23,7 @@ mod grammar;
 mod kinds;
 mod names;
 mod package;
+pub mod reference;
 mod root;
 mod schema;
 mod start;

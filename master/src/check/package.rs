@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{FILE, Finding, Severity, check_description, terminals};
-use crate::archive;
+use crate::files::archive;
 use crate::fmi::{self, FmuInstance, Import};
 use crate::interface::Interface;
 

@@ -8,9 +8,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
 use super::binding::Functions;
-use crate::archive::{self, ArchiveError};
+use crate::files::archive::{self, ArchiveError};
 use crate::interface::{Interface, InterfaceError};
-use crate::resources::Origins;
+use crate::train::resources::Origins;
 
 /// Characters that a file URI must not hold as they are.
 const NOT_IN_URI: &AsciiSet = &CONTROLS

@@ -9,7 +9,7 @@ use super::crash::calling;
 use super::import::Import;
 use super::step::StateSlot;
 use crate::interface::VariableType;
-use crate::unit::UnitError;
+use crate::system::unit::UnitError;
 
 /// `fmi2CoSimulation` of `fmi2Type`.
 const CO_SIMULATION: i32 = 1;

@@ -7,8 +7,9 @@
 //! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
-//! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::unit::Unit) |
+//! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
 //! | `step.rs` | the step, and what each status of it means |
+//! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
 //!
 //! This is the only place in the master with `unsafe` code.
@@ -19,8 +20,10 @@ mod binding;
 mod callbacks;
 mod crash;
 mod describe;
+mod documentation;
 mod import;
 mod instance;
+pub mod pack;
 mod step;
 mod unit;
 

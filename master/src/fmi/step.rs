@@ -8,7 +8,7 @@ use super::binding::{
     WARNING,
 };
 use super::instance::FmuInstance;
-use crate::unit::UnitError;
+use crate::system::unit::UnitError;
 
 /// Wall time after which an FMU that steps in the background is given up.
 const LONGEST_WAIT: Duration = Duration::from_secs(60);

@@ -4,7 +4,7 @@ use std::ffi::{CStr, CString};
 
 use super::instance::FmuInstance;
 use crate::interface::{Interface, VariableType};
-use crate::unit::{Unit, UnitError};
+use crate::system::unit::{Unit, UnitError};
 
 /// Setting and getting of variables of a type.
 macro_rules! exchange {

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::si::{Dimension, Linear, SiUnit};
+use crate::interface::si::{Dimension, Linear, SiUnit};
 
 #[derive(Deserialize)]
 pub struct ModelDescription {

@@ -9,7 +9,7 @@ use super::ReportError;
 use super::data::{Curve, RailField, ReportData, Snapshot, VehicleSeries};
 use super::facts::{EnergyLine, RunFacts};
 use super::{main_figures, rail_figures};
-use crate::file_error::read_toml;
+use crate::files::file_error::read_toml;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Column of the train in which the notch stands.

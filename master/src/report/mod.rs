@@ -44,7 +44,7 @@ mod system_tests;
 #[cfg(test)]
 mod tests;
 
-use crate::file_error::FileError;
+use crate::files::file_error::FileError;
 use crate::recording::RecordingError;
 
 use collect::collect;

@@ -4,7 +4,7 @@
 
 use super::data::MainFigure;
 use super::quantity::seconds;
-use crate::name_pattern::matches;
+use crate::interface::name_pattern::matches;
 use crate::recording::{RecordingError, SeriesReader};
 
 /// Ending of the columns with the means.

@@ -8,8 +8,8 @@ use super::data::{Foot, HeatAt, MainFigure, RailData};
 use super::facts::{EnergyLine, RailFacts};
 use super::main_figures::largest;
 use super::quantity::{round_with_unit, seconds, with_unit};
-use crate::observe_rail::TABLE;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
+use crate::run::observe_rail::TABLE;
 
 /// The sources of heat as the rail's outputs name them, and in words.
 pub(super) const SOURCES: [(&str, &str); 4] = [

@@ -8,7 +8,7 @@ use super::data::MainFigure;
 use super::rail_figures::listed;
 use super::system::{self, SystemFacts};
 use super::{ReportError, collect, render};
-use crate::file_error::{FileError, read_toml};
+use crate::files::file_error::{FileError, read_toml};
 
 /// The part of a manifest that only the run of a system has.
 #[derive(Deserialize)]

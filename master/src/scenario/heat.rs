@@ -83,7 +83,7 @@ pub enum Rail {
 }
 
 impl Rail {
-    /// The heated rails as places in [`crate::roles::SIDES`].
+    /// The heated rails as places in [`crate::train::roles::SIDES`].
     pub fn sides(self) -> &'static [usize] {
         match self {
             Self::Left => &[0],

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::structure::{Connection, ConnectorKind, Endpoint, Structure};
-use crate::si::Linear;
+use crate::interface::si::Linear;
+use crate::system::structure::{Connection, ConnectorKind, Endpoint, Structure};
 
 /// A connection as a system states it: either end may be a connector of a system, whose element
 /// is then the system's full name.

@@ -1,10 +1,10 @@
 //! Why a system cannot be read, written or run.
 
-use crate::archive::ArchiveError;
-use crate::file_error::FileError;
+use crate::files::archive::ArchiveError;
+use crate::files::file_error::FileError;
 use crate::fmi::ImportError;
-use crate::pack::PackError;
-use crate::unit::UnitError;
+use crate::fmi::pack::PackError;
+use crate::system::unit::UnitError;
 
 /// Why a system cannot be read, written or run.
 #[derive(Debug, thiserror::Error)]

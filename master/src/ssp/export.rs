@@ -10,16 +10,16 @@ use super::export_parameters::{constants, gains, parameters};
 use super::export_wiring::{TRAIN, component_name, controller_name};
 use super::read::STRUCTURE_FILE;
 use super::sources::Sources;
-use super::structure::{Component, Structure};
 use super::write::write;
-use crate::archive;
-use crate::error::RunError;
-use crate::file_error::FileError;
-use crate::lockstep::Lockstep;
-use crate::parallel::{default_threads, pool};
-use crate::prepare::{Folders, check_fmu, prepare};
+use crate::files::archive;
+use crate::files::file_error::FileError;
+use crate::run::error::RunError;
 use crate::scenario::{self, Scenario, Scheme};
-use crate::start::{StartError, start_of};
+use crate::system::parallel::{default_threads, pool};
+use crate::system::structure::{Component, Structure};
+use crate::train::lockstep::Lockstep;
+use crate::train::prepare::{Folders, check_fmu, prepare};
+use crate::train::start::{StartError, start_of};
 
 /// What an export tells.
 #[derive(Debug)]

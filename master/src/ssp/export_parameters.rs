@@ -2,10 +2,10 @@
 
 use controller::Gains;
 
-use super::structure::{Parameter, Value};
 use crate::interface::{Interface, VariableType};
-use crate::prepare::Folders;
-use crate::unit::{Unit, UnitError};
+use crate::system::structure::{Parameter, Value};
+use crate::system::unit::{Unit, UnitError};
+use crate::train::prepare::Folders;
 
 /// The inputs of a unit that keep a value throughout.
 pub(super) fn constants(unit: &dyn Unit, kept: &[(u32, f64)]) -> Vec<Parameter> {

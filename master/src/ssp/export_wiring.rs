@@ -1,10 +1,10 @@
 //! What flows between the units of a train, as connections of a package.
 
-use super::structure::{Connection, Endpoint};
-use crate::lockstep::Lockstep;
-use crate::port::Port;
-use crate::rail::Rail;
-use crate::roles::{rail_input, train, vehicle_input, vehicle_output};
+use crate::system::port::Port;
+use crate::system::structure::{Connection, Endpoint};
+use crate::train::lockstep::Lockstep;
+use crate::train::rail::Rail;
+use crate::train::roles::{rail_input, train, vehicle_input, vehicle_output};
 
 /// Name of the train's component.
 pub(super) const TRAIN: &str = "train";

@@ -2,37 +2,30 @@
 //!
 //! | file | part |
 //! |---|---|
-//! | `structure.rs` | what a system structure says |
 //! | `read.rs`, `connect.rs`, `parameters.rs`, `xml.rs` | from the files of a package to it |
 //! | `write.rs`, `elements.rs` | from it to a file that other tools accept |
 //! | `export.rs`, `export_wiring.rs`, `export_parameters.rs`, `sources.rs` | a scenario's train as a package |
-//! | `wire.rs`, `exchange.rs` | from a structure to instances of FMUs with what flows between them |
-//! | `system.rs` | initialisation and steps, all units from the last exchange |
+//! | `wire.rs` | from a structure to instances of FMUs with what flows between them |
 //! | `record.rs`, `run.rs` | a run from a package to the results folder |
 //! | `error.rs` | what can be wrong |
 
 mod connect;
 mod elements;
 mod error;
-mod exchange;
 mod export;
 mod export_parameters;
 mod export_wiring;
 mod parameters;
 mod read;
-mod record;
+pub mod record;
 mod run;
 mod sources;
-mod structure;
-mod system;
 mod wire;
 mod write;
 mod xml;
 
 #[cfg(test)]
 mod structure_tests;
-#[cfg(test)]
-mod system_tests;
 
 pub use error::SspError;
 pub use export::export;

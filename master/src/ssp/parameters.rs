@@ -8,10 +8,10 @@ use roxmltree::Node;
 
 use super::error::SspError;
 use super::read::{transformation, units};
-use super::structure::{Parameter, Value};
 use super::xml::{XmlFile, child, children, listed};
-use crate::file_error::FileError;
-use crate::si::SiUnit;
+use crate::files::file_error::FileError;
+use crate::interface::si::SiUnit;
+use crate::system::structure::{Parameter, Value};
 
 /// The start values that are bound to an element, in the order in which they are applied.
 ///

@@ -10,10 +10,10 @@ use roxmltree::Node;
 use super::connect::{self, Edge};
 use super::error::SspError;
 use super::parameters;
-use super::structure::{Component, Connector, ConnectorKind, Endpoint, Structure};
 use super::xml::{XmlFile, child, children, listed};
-use crate::file_error::FileError;
-use crate::si::{Dimension, Linear, SiUnit};
+use crate::files::file_error::FileError;
+use crate::interface::si::{Dimension, Linear, SiUnit};
+use crate::system::structure::{Component, Connector, ConnectorKind, Endpoint, Structure};
 
 /// Name of the default structure in a package.
 pub const STRUCTURE_FILE: &str = "SystemStructure.ssd";
@@ -116,7 +116,11 @@ impl Reader<'_, '_> {
     }
 
     /// A parameter that is bound at a system belongs to the element that its name begins with.
-    fn parameter_of_system(&mut self, mut parameter: super::structure::Parameter, prefix: &str) {
+    fn parameter_of_system(
+        &mut self,
+        mut parameter: crate::system::structure::Parameter,
+        prefix: &str,
+    ) {
         let full = format!("{prefix}{}", parameter.name);
         let of_component = self.structure.components.iter_mut().find_map(|component| {
             let variable = full.strip_prefix(&component.name)?.strip_prefix('.')?.to_owned();

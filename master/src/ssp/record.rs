@@ -3,12 +3,12 @@
 
 use std::path::Path;
 
-use super::exchange::Signals;
-use super::system::System;
 use crate::interface::{Variable, VariableType};
-use crate::observe::ObserveError;
 use crate::recording::{Column, SeriesWriter, TIME};
-use crate::unit::Unit;
+use crate::run::observe::ObserveError;
+use crate::system::links::Signals;
+use crate::system::step::System;
+use crate::system::unit::Unit;
 
 /// Recorded time in a part of a series on disk, s; a killed run loses less than this.
 const PART_S: f64 = 1.0;

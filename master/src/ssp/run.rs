@@ -7,22 +7,22 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 
 use super::error::SspError;
-use super::exchange::Part;
 use super::read::read;
 use super::record::{Recorder, renamed, table_name};
-use super::structure::Structure;
-use super::system::System;
 use super::wire::wire;
-use crate::archive;
-use crate::error::RunError;
-use crate::lockstep::Clock;
-use crate::manifest::{FmuEntry, Origin, fmus, write_toml};
-use crate::progress::Progress;
+use crate::files::archive;
 use crate::report::{self, ComponentFacts, SystemFacts};
-use crate::stepping::{FailedStep, StepFailure};
-use crate::times::Stopwatch;
-use crate::unit::{take_warnings, terminate};
-use crate::workplace::Workplace;
+use crate::run::error::RunError;
+use crate::run::manifest::{FmuEntry, Origin, fmus, write_toml};
+use crate::run::progress::Progress;
+use crate::run::stepping::{FailedStep, StepFailure};
+use crate::run::workplace::Workplace;
+use crate::system::links::Part;
+use crate::system::step::System;
+use crate::system::structure::Structure;
+use crate::system::times::Stopwatch;
+use crate::system::unit::{take_warnings, terminate};
+use crate::train::lockstep::Clock;
 
 /// How a system is run.
 #[derive(Debug, Clone, Default)]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::error::SspError;
-use crate::file_error::FileError;
+use crate::files::file_error::FileError;
 
 /// The FMU files of a package, each once.
 pub(super) struct Sources {

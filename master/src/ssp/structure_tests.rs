@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::read::{STRUCTURE_FILE, read};
-use super::structure::{Parameter, Structure, Value};
 use super::write::write;
+use crate::system::structure::{Parameter, Structure, Value};
 
 const NAMESPACES: &str = r#"xmlns:ssd="http://ssp-standard.org/SSP1/SystemStructureDescription"
     xmlns:ssc="http://ssp-standard.org/SSP1/SystemStructureCommon"

@@ -8,14 +8,14 @@ use std::sync::Arc;
 use percent_encoding::percent_decode_str;
 
 use super::error::SspError;
-use super::exchange::{Link, Part, Place};
-use super::structure::{Component, Connection, Parameter, Structure, Value};
-use super::system::System;
 use crate::fmi::{FmuInstance, Import};
+use crate::interface::si::{Linear, SiUnit};
 use crate::interface::{Interface, Variable, VariableType};
-use crate::lockstep::Clock;
-use crate::si::{Linear, SiUnit};
-use crate::unit::{Unit, UnitError};
+use crate::system::links::{Link, Part, Place};
+use crate::system::step::System;
+use crate::system::structure::{Component, Connection, Parameter, Structure, Value};
+use crate::system::unit::{Unit, UnitError};
+use crate::train::lockstep::Clock;
 
 /// Instantiates the FMUs of a structure, sets their parameters, and links them.
 ///
@@ -149,7 +149,7 @@ impl Wiring<'_> {
                 false => Err(format!("connection of {names}: only a Real can be transformed")),
             };
         }
-        let unit_of = |end: &super::structure::Endpoint, variable: &Variable| {
+        let unit_of = |end: &crate::system::structure::Endpoint, variable: &Variable| {
             let stated = self.structure.component(&end.element)?.connector(&end.connector)?;
             variable.si.or_else(|| self.structure.units.get(stated.unit.as_ref()?).copied())
         };

@@ -12,7 +12,7 @@ use super::elements::{
 };
 use super::error::SspError;
 use super::read::FMU_TYPE;
-use super::structure::{ConnectorKind, Structure, Value};
+use crate::system::structure::{ConnectorKind, Structure, Value};
 
 /// The text of the file.
 ///
@@ -61,7 +61,7 @@ impl<'a> Description<'a> {
 }
 
 impl<'a> Component<'a> {
-    fn of(component: &'a super::structure::Component) -> Self {
+    fn of(component: &'a crate::system::structure::Component) -> Self {
         let connectors: Vec<_> = component.connectors.iter().map(Connector::of).collect();
         let parameters: Vec<_> = component.parameters.iter().map(Parameter::of).collect();
         let set = |parameters| ParameterSet {
@@ -82,7 +82,7 @@ impl<'a> Component<'a> {
 }
 
 impl<'a> Connector<'a> {
-    fn of(connector: &'a super::structure::Connector) -> Self {
+    fn of(connector: &'a crate::system::structure::Connector) -> Self {
         let kind = match connector.kind {
             ConnectorKind::Input => "input",
             ConnectorKind::Output => "output",
@@ -94,7 +94,7 @@ impl<'a> Connector<'a> {
 }
 
 impl<'a> Parameter<'a> {
-    fn of(parameter: &'a super::structure::Parameter) -> Self {
+    fn of(parameter: &'a crate::system::structure::Parameter) -> Self {
         let value = match &parameter.value {
             &Value::Real(value) => TypedValue::Real { value },
             &Value::Integer(value) => TypedValue::Integer { value },
@@ -106,7 +106,7 @@ impl<'a> Parameter<'a> {
 }
 
 impl<'a> Connection<'a> {
-    fn of(connection: &'a super::structure::Connection) -> Self {
+    fn of(connection: &'a crate::system::structure::Connection) -> Self {
         let way = connection.transformation;
         Self {
             suppress_unit_conversion: (!connection.convert_units).then_some(true),

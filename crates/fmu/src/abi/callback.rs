@@ -3,7 +3,7 @@
 use std::ffi::{CString, c_char, c_int, c_void};
 
 use super::pointers::c_text;
-use crate::logging::Category;
+use crate::instance::logging::Category;
 
 /// `fmi2CallbackFunctions`.
 #[derive(Clone, Copy)]

@@ -5,13 +5,13 @@ use std::ffi::{CString, c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use super::panic_message;
+use super::component::panic_message;
 use super::pointers::{c_text, fill, text};
+use crate::description::documentation;
 use crate::description::model_description;
+use crate::description::terminals;
 use crate::error::Error;
 use crate::model::Model;
-use crate::signal_table::documentation;
-use crate::terminals::terminals;
 
 /// The text is what was asked for.
 const DONE: c_int = 0;

@@ -2,7 +2,7 @@
 
 use std::ffi::{c_char, c_int, c_void};
 
-use super::call;
+use super::component::call;
 use super::pointers::{array, c_text, fill, texts};
 use crate::calls::Call;
 use crate::model::Model;

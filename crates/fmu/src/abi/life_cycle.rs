@@ -5,14 +5,14 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
 
 use super::callback::{Callback, CallbackFunctions};
+use super::component::{Component, call, panic_message};
 use super::pointers::{text, texts};
-use super::{Component, call, panic_message};
+use super::resource_location::path_of;
 use crate::calls::Call;
 use crate::error::Error;
 use crate::instance::Instance;
-use crate::logging::Category;
+use crate::instance::logging::Category;
 use crate::model::Model;
-use crate::resource_location::path_of;
 use crate::status::Status;
 
 /// `fmi2CoSimulation` of `fmi2Type`.

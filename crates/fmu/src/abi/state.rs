@@ -3,12 +3,12 @@
 use std::ffi::c_void;
 use std::ptr;
 
-use super::call;
+use super::component::call;
 use super::pointers::{array, fill};
 use crate::calls::Call;
 use crate::error::Error;
+use crate::instance::state::SavedState;
 use crate::model::Model;
-use crate::state::SavedState;
 use crate::status::Status;
 
 /// Name of the argument with the state in the standard.

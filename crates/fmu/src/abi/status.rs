@@ -2,7 +2,7 @@
 
 use std::ffi::{c_char, c_int, c_void};
 
-use super::call;
+use super::component::call;
 use super::pointers::fill;
 use crate::calls::Call;
 use crate::error::Error;

@@ -2,6 +2,8 @@
 //!
 //! A field that is renamed to `@name` is the attribute `name`; an absent one is left out.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -140,7 +142,7 @@ pub(super) struct ScalarVariable<'a> {
     #[serde(rename = "@valueReference")]
     pub value_reference: u32,
     #[serde(rename = "@description")]
-    pub description: &'a str,
+    pub description: Cow<'a, str>,
     #[serde(rename = "@causality")]
     pub causality: &'a str,
     #[serde(rename = "@variability")]
@@ -178,19 +180,19 @@ pub(super) struct IntegerElement {
     #[serde(rename = "@max")]
     pub max: Option<i32>,
     #[serde(rename = "@start")]
-    pub start: i32,
+    pub start: Option<i32>,
 }
 
 #[derive(Serialize)]
 pub(super) struct BooleanElement {
     #[serde(rename = "@start")]
-    pub start: bool,
+    pub start: Option<bool>,
 }
 
 #[derive(Serialize)]
 pub(super) struct StringElement<'a> {
     #[serde(rename = "@start")]
-    pub start: &'a str,
+    pub start: Option<&'a str>,
 }
 
 #[derive(Serialize)]

@@ -146,13 +146,17 @@ fn a_boolean_is_zero_or_one() {
 #[test]
 fn values_out_of_bounds_or_not_finite_are_refused() {
     for (name, value, sentence) in [
-        ("mass", 0.0, "`mass` cannot be 0: it must be a finite number, at least 0.1"),
-        ("force", 2e6, "`force` cannot be 2000000: it must be a finite number, at most 1000000"),
-        ("force", f64::NAN, "`force` cannot be NaN: it must be a finite number, at most 1000000"),
+        ("mass", 0.0, "`mass` cannot be 0 kg: it must be a finite number, at least 0.1 kg"),
+        (
+            "force",
+            2e6,
+            "`force` cannot be 2000000 N: it must be a finite number, at most 1000000 N",
+        ),
+        ("force", f64::NAN, "`force` cannot be NaN: it must be a finite number, at most 1000000 N"),
         (
             "stiffness",
             f64::INFINITY,
-            "`stiffness` cannot be inf: it must be a finite number, from 0 to 1000000000",
+            "`stiffness` cannot be inf: it must be a finite number, from 0 to 1000000000 N",
         ),
         (
             "initial.position",

@@ -1,0 +1,90 @@
+//! The state of an instance, for saving: what `fmi2FMUstate` points to (§2.1.8).
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use crate::calls::Phase;
+use crate::error::Error;
+use crate::model::Model;
+use crate::variables::{Guid, Values};
+
+/// Start and stop time, as `fmi2SetupExperiment` gives them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Experiment {
+    /// Time at which the simulation begins, s.
+    pub(crate) start: f64,
+    /// Time that no step may pass, s.
+    pub(crate) stop: Option<f64>,
+}
+
+/// What a model was built from. Instances and states share it, as it never changes.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Origin {
+    /// The values from which the model was initialised.
+    pub(crate) values: Values,
+    /// Time at which the simulation began, s.
+    pub(crate) start_time: f64,
+}
+
+/// A saved instance. Any instance of the same interface can be set into it; stepping on gives
+/// the same bits as stepping on from the moment of saving.
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "")]
+pub struct SavedState<M: Model> {
+    pub(crate) guid: Guid,
+    pub(crate) phase: Phase,
+    pub(crate) experiment: Option<Experiment>,
+    pub(crate) time: f64,
+    pub(crate) values: Values,
+    pub(crate) model: Option<SavedModel<M>>,
+}
+
+/// A saved model: its state, and how to build it anew if the instance has none that fits.
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "")]
+pub(crate) struct SavedModel<M: Model> {
+    pub(crate) origin: Arc<Origin>,
+    pub(crate) state: M::State,
+}
+
+/// Stands before a serialized state: who wrote it.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+struct Header<'a> {
+    identifier: &'a str,
+    version: &'a str,
+    guid: Guid,
+}
+
+impl<'a> Header<'a> {
+    fn of<M: Model>(guid: Guid) -> Self {
+        Self { identifier: M::IDENTITY.identifier, version: env!("CARGO_PKG_VERSION"), guid }
+    }
+}
+
+impl<M: Model> SavedState<M> {
+    /// Number of bytes that [`to_bytes`](Self::to_bytes) gives.
+    pub fn serialized_size(&self) -> usize {
+        let size = postcard::ser_flavors::Size::default();
+        postcard::serialize_with_flavor(&(Header::of::<M>(self.guid), self), size)
+            .expect("a state is plain data, which can always be serialized")
+    }
+
+    /// The state as bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        postcard::to_allocvec(&(Header::of::<M>(self.guid), self))
+            .expect("a state is plain data, which can always be serialized")
+    }
+
+    /// Reads a state of the interface `guid`.
+    pub(crate) fn from_bytes(bytes: &[u8], guid: Guid) -> Result<Self, Error> {
+        let damaged = |error: postcard::Error| Error::DamagedState(error.to_string());
+        let (header, rest) = postcard::take_from_bytes::<Header>(bytes).map_err(damaged)?;
+        if header != Header::of::<M>(guid) {
+            let Header { identifier, version, guid } = header;
+            let writer = format!("{identifier} {version} {guid}");
+            return Err(Error::ForeignState(writer));
+        }
+        postcard::from_bytes(rest).map_err(damaged)
+    }
+}

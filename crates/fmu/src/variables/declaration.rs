@@ -1,0 +1,263 @@
+//! The declaration of a model's variables: names, units, value references, start values and
+//! everything else that `ModelVariables` (§2.2.7) states.
+
+use super::bounds::Bounds;
+use super::unit::Unit;
+use super::values::{Boolean, Integer, Text, Type, Values};
+use super::variable::{Causality, Initial, Terminal, Variability, Variable};
+
+/// All variables of a model in the order in which they are declared.
+///
+/// Most variables stand in tables, which [`variables!`](crate::variables!) declares; this declares
+/// those whose number or meaning no table can tell:
+///
+/// ```
+/// use fmu::{Declaration, unit};
+/// let mut declaration = Declaration::default();
+/// let force = declaration
+///     .real("coupler.front.force", unit::NEWTON, "Force of the front coupler, tension positive")
+///     .input(0.0);
+/// let position = declaration
+///     .real("position", unit::METRE, "Chainage of the vehicle's middle")
+///     .output();
+/// assert_eq!(declaration.variables().len(), 2);
+/// assert_eq!((force.reference(), position.reference()), (0, 1));
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Declaration {
+    variables: Vec<Variable>,
+    start: Values,
+    terminals: Vec<Terminal>,
+}
+
+impl Declaration {
+    /// The declared variables in order.
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    /// The start values of all variables; outputs start at zero.
+    pub fn start_values(&self) -> &Values {
+        &self.start
+    }
+
+    /// The declared terminals in order.
+    pub fn terminals(&self) -> &[Terminal] {
+        &self.terminals
+    }
+
+    /// Says that the variables whose names begin with `name` and a dot are connected together.
+    pub fn terminal(
+        &mut self,
+        name: impl Into<String>,
+        kind: &'static str,
+        description: impl Into<String>,
+    ) {
+        let terminal = Terminal { name: name.into(), kind, description: description.into() };
+        self.terminals.push(terminal);
+    }
+
+    /// Begins a Real variable in SI `unit`.
+    pub fn real(
+        &mut self,
+        name: impl Into<String>,
+        unit: Unit,
+        description: impl Into<String>,
+    ) -> VariableDeclaration<'_, f64> {
+        self.variable(name.into(), description.into(), (unit, Bounds::NONE))
+    }
+
+    /// Begins an Integer variable.
+    pub fn integer(
+        &mut self,
+        name: impl Into<String>,
+        description: impl Into<String>,
+    ) -> VariableDeclaration<'_, i32> {
+        self.variable(name.into(), description.into(), Bounds::NONE)
+    }
+
+    /// Begins a Boolean variable.
+    pub fn boolean(
+        &mut self,
+        name: impl Into<String>,
+        description: impl Into<String>,
+    ) -> VariableDeclaration<'_, bool> {
+        self.variable(name.into(), description.into(), ())
+    }
+
+    /// Begins a String variable.
+    pub fn text(
+        &mut self,
+        name: impl Into<String>,
+        description: impl Into<String>,
+    ) -> VariableDeclaration<'_, String> {
+        self.variable(name.into(), description.into(), [].as_slice())
+    }
+
+    /// A String parameter, such as a file name, with its start value.
+    pub fn text_parameter(
+        &mut self,
+        name: impl Into<String>,
+        description: impl Into<String>,
+        start: impl Into<String>,
+    ) -> Text {
+        self.text(name, description).parameter(start)
+    }
+
+    /// An Integer parameter with its start value and bounds.
+    pub fn integer_parameter(
+        &mut self,
+        name: impl Into<String>,
+        description: impl Into<String>,
+        start: i32,
+        bounds: (i32, i32),
+    ) -> Integer {
+        self.integer(name, description).within(bounds.0..=bounds.1).parameter(start)
+    }
+
+    /// A Boolean parameter with its start value.
+    pub fn boolean_parameter(
+        &mut self,
+        name: impl Into<String>,
+        description: impl Into<String>,
+        start: bool,
+    ) -> Boolean {
+        self.boolean(name, description).parameter(start)
+    }
+
+    fn variable<T: Type>(
+        &mut self,
+        name: String,
+        description: String,
+        domain: T::Domain,
+    ) -> VariableDeclaration<'_, T> {
+        VariableDeclaration { declaration: self, name, description, domain }
+    }
+}
+
+/// A variable on its way into the [`Declaration`]; `input`, `output`, `parameter` or `tunable`
+/// ends it and gives the handle.
+#[must_use = "ends with input, output, parameter or tunable"]
+pub struct VariableDeclaration<'d, T: Type> {
+    declaration: &'d mut Declaration,
+    name: String,
+    description: String,
+    /// What belongs to the type besides the start value: unit, bounds, choices.
+    domain: T::Domain,
+}
+
+impl VariableDeclaration<'_, f64> {
+    /// Smallest and largest value allowed.
+    pub fn within(mut self, bounds: impl Into<Bounds<f64>>) -> Self {
+        self.domain.1 = bounds.into();
+        self
+    }
+
+    /// Smallest value allowed.
+    pub fn min(mut self, min: f64) -> Self {
+        self.domain.1.min = Some(min);
+        self
+    }
+
+    /// Largest value allowed.
+    pub fn max(mut self, max: f64) -> Self {
+        self.domain.1.max = Some(max);
+        self
+    }
+}
+
+impl VariableDeclaration<'_, i32> {
+    /// Smallest and largest value allowed.
+    pub fn within(mut self, bounds: impl Into<Bounds<i32>>) -> Self {
+        self.domain = bounds.into();
+        self
+    }
+}
+
+impl VariableDeclaration<'_, String> {
+    /// The texts allowed.
+    pub fn one_of(mut self, choices: &'static [&'static str]) -> Self {
+        self.domain = choices;
+        self
+    }
+}
+
+impl<T: Type> VariableDeclaration<'_, T> {
+    /// An input with its start value.
+    pub fn input(self, start: impl Into<T>) -> T::Handle {
+        self.declare(start.into(), Causality::Input, T::VARIABILITY, None)
+    }
+
+    /// An output that the model computes.
+    pub fn output(self) -> T::Handle {
+        let initial = Some(Initial::Calculated);
+        self.declare(T::default(), Causality::Output, T::VARIABILITY, initial)
+    }
+
+    /// A parameter that is fixed once the initialisation has ended.
+    pub fn parameter(self, start: impl Into<T>) -> T::Handle {
+        let initial = Some(Initial::Exact);
+        self.declare(start.into(), Causality::Parameter, Variability::Fixed, initial)
+    }
+
+    /// A parameter that may change between steps.
+    pub fn tunable(self, start: impl Into<T>) -> T::Handle {
+        let initial = Some(Initial::Exact);
+        self.declare(start.into(), Causality::Parameter, Variability::Tunable, initial)
+    }
+
+    fn declare(
+        self,
+        start: T,
+        causality: Causality,
+        variability: Variability,
+        initial: Option<Initial>,
+    ) -> T::Handle {
+        let Self { declaration, name, description, domain } = self;
+        let values = T::store(&mut declaration.start);
+        let reference = u32::try_from(values.len()).expect("fewer than 2^32 variables");
+        values.push(start.clone());
+        declaration.variables.push(Variable {
+            name,
+            description,
+            reference,
+            causality,
+            variability,
+            initial,
+            kind: T::kind(start, domain),
+        });
+        T::handle(reference)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::unit;
+    use super::*;
+
+    /// The output of every type: its kind says what the C interface and the XML make of it.
+    #[test]
+    fn an_output_is_continuous_if_real_and_discrete_otherwise() {
+        let mut declaration = Declaration::default();
+        let _ = declaration.real("speed", unit::METRE_PER_SECOND, "Speed").output();
+        let _ = declaration.integer("notch", "Notch").output();
+        let _ = declaration.boolean("sanding", "Whether sand is given").output();
+        let _ = declaration.text("aspect", "Aspect of the signal").output();
+        let variabilities = declaration.variables().iter().map(|variable| variable.variability);
+        let (continuous, discrete) = (Variability::Continuous, Variability::Discrete);
+        let expected = [continuous, discrete, discrete, discrete];
+        assert_eq!(variabilities.collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn references_count_each_type_by_itself() {
+        let mut declaration = Declaration::default();
+        let mass = declaration.real("mass", unit::KILOGRAM, "Mass").parameter(1.0);
+        let axles = declaration.integer("axles", "Axles").within(2..=8).parameter(4);
+        let load = declaration.real("load", unit::KILOGRAM, "Load").tunable(2.0);
+        let references = (mass.reference(), axles.reference(), load.reference());
+        assert_eq!(references, (0, 0, 1));
+        let start = declaration.start_values();
+        assert_eq!((start[mass], start[axles], start[load]), (1.0, 4, 2.0));
+    }
+}

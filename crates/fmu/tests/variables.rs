@@ -1,0 +1,456 @@
+//! Tables of variables: what a model declares with them, and what an instance then admits.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use fmu::{
+    Causality, Declaration, Handles, Identity, Instance, Interval, Kind, Log, Model, ModelError,
+    ResourceFile, Scope, Values, Variables, model_description, unit,
+};
+use proptest::prelude::*;
+
+fmu::choices! {
+    /// How the kettle is heated.
+    pub enum Heating {
+        /// By gas.
+        Gas = "gas",
+        /// By electricity.
+        Electric = "electric",
+    }
+}
+
+fmu::variables! {
+    /// One row of every kind.
+    pub struct Kettle: parameter {
+        /// Volume of the
+        /// kettle.
+        ///
+        /// A second paragraph is for those who read the code.
+        volume: "kettle.volume", METRE = 2.0, above(0.0).at_most(3.0);
+        /// Share that is filled
+        filling: "kettle.filling", ONE = 0.5, 0.0..=1.0;
+        /// Height above the sea
+        height: "height", METRE = -1.5;
+        /// Number of cups
+        cups: "cups", i32 = 4, 1..=8;
+        /// Whether there is a lid
+        lid: "lid", bool = true;
+        /// Name for people
+        label: "label", String = "blue";
+        /// Heating: "gas" or "electric"
+        heating: "heating", choice(Heating) = Heating::Electric;
+        /// Recipe; empty: recipe.toml in the resources
+        recipe: "recipe_file", file("recipe.toml");
+    }
+
+    /// What may be turned while the kettle is on.
+    #[derive(Copy, Default)]
+    pub struct Knob: tunable {
+        /// Power
+        power: "power", WATT = 1e3, 0.0..;
+    }
+
+    /// What is known of a spot.
+    #[derive(Copy, Default)]
+    pub struct Spot: output {
+        /// Temperature at {}
+        temperature: "temperature", KELVIN;
+        /// Number of bubbles at {}
+        bubbles: "bubbles", i32;
+        /// Whether it boils at {}
+        boils: "boils", bool;
+    }
+
+    /// The spots of one side.
+    #[derive(Copy, Default)]
+    pub struct Side: output {
+        /// The spots.
+        spots: ["spot[1]", "spot[2]"], group(Spot) = ["spot 1 of {}", "spot 2 of {}"];
+        /// What all of them are.
+        mean: "", group(Spot) = "all spots of {}";
+        /// Area
+        area: "area", SQUARE_METRE;
+    }
+
+    /// Air around the kettle.
+    #[derive(Copy)]
+    pub struct Air: input {
+        /// Temperature of the air
+        temperature: "air.temperature", KELVIN = 293.15, 0.0..;
+    }
+}
+
+/// A kettle whose spots are as warm as the air.
+struct Kitchen {
+    sides: [Side; 2],
+}
+
+struct Signals {
+    kettle: Handles<Kettle>,
+    knob: Handles<Knob>,
+    air: Handles<Air>,
+    sides: Vec<Handles<Side>>,
+}
+
+impl Model for Kitchen {
+    const IDENTITY: Identity = Identity {
+        name: "Kettle",
+        identifier: "kettle",
+        description: "A kettle",
+        default_step: 1.0,
+    };
+    type Signals = Signals;
+    type State = ();
+
+    fn declare(_: &Path, declaration: &mut Declaration) -> Result<Signals, ModelError> {
+        Ok(Signals {
+            kettle: Kettle::declare(declaration, ""),
+            knob: Knob::declare(declaration, "knob"),
+            air: Air::declare(declaration, ""),
+            sides: (1..=2)
+                .map(|i| {
+                    let scope = Scope::from(format!("side[{i}]")).about(&format!("side {i}"));
+                    Side::declare(declaration, scope)
+                })
+                .collect(),
+        })
+    }
+
+    fn initialize(
+        signals: &Signals,
+        values: &mut Values,
+        _resources: &Path,
+        _start_time: f64,
+        _log: &mut Log,
+    ) -> Result<Self, ModelError> {
+        let mut kettle = Self { sides: [Side::default(); 2] };
+        kettle.show(signals, values);
+        Ok(kettle)
+    }
+
+    fn step(
+        &mut self,
+        signals: &Signals,
+        values: &mut Values,
+        _interval: Interval,
+        _log: &mut Log,
+    ) -> Result<(), ModelError> {
+        self.show(signals, values);
+        Ok(())
+    }
+
+    fn state(&self) -> Cow<'_, ()> {
+        Cow::Owned(())
+    }
+
+    fn restore(&mut self, (): ()) {}
+}
+
+impl Kitchen {
+    fn show(&mut self, signals: &Signals, values: &mut Values) {
+        let temperature = Air::read(&signals.air, values).temperature;
+        for (number, (side, handles)) in self.sides.iter_mut().zip(&signals.sides).enumerate() {
+            let spot = Spot { temperature, bubbles: number as i32, boils: temperature > 373.15 };
+            *side = Side { spots: [spot; 2], mean: spot, area: 0.25 };
+            side.write(handles, values);
+        }
+    }
+}
+
+fn instance() -> Instance<Kitchen> {
+    Instance::new(Path::new(""), "kettle", Box::new(|_, _| {})).unwrap()
+}
+
+/// An instance in initialization mode.
+fn initializing() -> Instance<Kitchen> {
+    let mut instance = instance();
+    instance.setup_experiment(0.0, None).unwrap();
+    instance.enter_initialization_mode().unwrap();
+    instance
+}
+
+/// An instance that has made a step.
+fn running() -> Instance<Kitchen> {
+    let mut instance = initializing();
+    instance.exit_initialization_mode().unwrap();
+    instance.do_step(0.0, 1.0).unwrap();
+    instance
+}
+
+#[test]
+fn a_table_declares_its_rows_in_their_order() {
+    let instance = instance();
+    let variables = instance.declaration().variables();
+    let names: Vec<_> = variables.iter().map(|variable| variable.name.as_str()).collect();
+    let of_sides = [
+        "side[1].spot[1].temperature",
+        "side[1].spot[1].bubbles",
+        "side[1].spot[1].boils",
+        "side[1].spot[2].temperature",
+        "side[1].spot[2].bubbles",
+        "side[1].spot[2].boils",
+        "side[1].temperature",
+        "side[1].bubbles",
+        "side[1].boils",
+        "side[1].area",
+    ];
+    let before = [
+        "kettle.volume",
+        "kettle.filling",
+        "height",
+        "cups",
+        "lid",
+        "label",
+        "heating",
+        "recipe_file",
+        "knob.power",
+        "air.temperature",
+    ];
+    assert_eq!(names[..20], [before, of_sides].concat());
+    assert_eq!(names.len(), 30);
+    assert_eq!(variables[20].name, "side[2].spot[1].temperature");
+}
+
+/// The first paragraph of a doc comment, on one line and without its full stop.
+#[test]
+fn the_doc_comment_is_the_description() {
+    let instance = instance();
+    let description = |name: &str| {
+        let mut variables = instance.declaration().variables().iter();
+        variables.find(|variable| variable.name == name).unwrap().description.as_str()
+    };
+    assert_eq!(description("kettle.volume"), "Volume of the kettle");
+    assert_eq!(description("heating"), "Heating: \"gas\" or \"electric\"");
+    assert_eq!(description("side[2].spot[1].boils"), "Whether it boils at spot 1 of side 2");
+    assert_eq!(description("side[2].boils"), "Whether it boils at all spots of side 2");
+}
+
+#[test]
+fn a_table_says_what_its_variables_are_for() {
+    let instance = instance();
+    for variable in instance.declaration().variables() {
+        let expected = match variable.name.as_str() {
+            name if name.starts_with("side") => Causality::Output,
+            "air.temperature" => Causality::Input,
+            _ => Causality::Parameter,
+        };
+        assert_eq!(variable.causality, expected, "{}", variable.name);
+    }
+}
+
+#[test]
+fn start_values_are_those_of_the_table() {
+    let instance = instance();
+    let kettle = Kettle::read(&instance.signals().kettle, instance.values());
+    let expected = Kettle {
+        volume: 2.0,
+        filling: 0.5,
+        height: -1.5,
+        cups: 4,
+        lid: true,
+        label: "blue".to_owned(),
+        heating: Heating::Electric,
+        recipe: ResourceFile { named: String::new(), default: "recipe.toml" },
+    };
+    assert_eq!(kettle, expected);
+    assert_eq!(Knob::read(&instance.signals().knob, instance.values()), Knob { power: 1e3 });
+}
+
+#[test]
+fn what_is_written_is_read_back() {
+    let mut declaration = Declaration::default();
+    let handles = Kettle::declare(&mut declaration, "");
+    let mut values = declaration.start_values().clone();
+    let kettle = Kettle {
+        volume: 1.0,
+        filling: 0.25,
+        height: 7.0,
+        cups: 3,
+        lid: false,
+        label: "red".to_owned(),
+        heating: Heating::Gas,
+        recipe: ResourceFile { named: "/soup.toml".to_owned(), default: "recipe.toml" },
+    };
+    kettle.write(&handles, &mut values);
+    assert_eq!(Kettle::read(&handles, &values), kettle);
+    assert_eq!(values[handles.heating], "gas");
+    assert_eq!(values[handles.recipe.parameter], "/soup.toml");
+}
+
+#[test]
+fn groups_are_written_where_they_stand() {
+    let mut kettle = running();
+    let air = kettle.signals().air.temperature.reference();
+    kettle.set_real(&[air], [400.0]).unwrap();
+    kettle.do_step(1.0, 1.0).unwrap();
+    let side = Side::read(&kettle.signals().sides[1], kettle.values());
+    let spot = Spot { temperature: 400.0, bubbles: 1, boils: true };
+    assert_eq!(side, Side { spots: [spot; 2], mean: spot, area: 0.25 });
+}
+
+/// FMI 2.0 cannot say that a bound itself is not allowed (§2.2.3), so the description says it.
+#[test]
+fn an_excluded_minimum_stands_in_the_description_and_its_number_in_the_xml() {
+    let text = model_description::<Kitchen>(Path::new("")).unwrap();
+    let expected = "description=\"Volume of the kettle; greater than 0, at most 3\"";
+    assert_eq!(text.matches(expected).count(), 1, "{text}");
+    assert!(text.contains(r#"<Real unit="m" min="0" max="3" start="2"/>"#), "{text}");
+}
+
+/// Outputs of every type are computed, so none has a start value (§2.2.7).
+#[test]
+fn no_output_of_any_type_has_a_start_value() {
+    let text = model_description::<Kitchen>(Path::new("")).unwrap();
+    for element in ["<Integer/>", "<Boolean/>", r#"<Real unit="m2"/>"#] {
+        assert!(text.contains(element), "{element}\n{text}");
+    }
+}
+
+/// The message names the variable, the value with its unit, and what is allowed.
+#[test]
+fn a_value_that_is_not_allowed_is_refused_with_what_is() {
+    let kettle = instance();
+    let Signals { kettle: handles, .. } = kettle.signals();
+    let (volume, filling) = (handles.volume.reference(), handles.filling.reference());
+    for (reference, value, sentence) in [
+        (
+            volume,
+            0.0,
+            "`kettle.volume` cannot be 0 m: it must be a finite number, greater than 0, at most 3 m",
+        ),
+        (
+            volume,
+            3.5,
+            "`kettle.volume` cannot be 3.5 m: it must be a finite number, greater than 0, at most 3 m",
+        ),
+        (filling, 2.0, "`kettle.filling` cannot be 2: it must be a finite number, from 0 to 1"),
+    ] {
+        let error = initializing().set_real(&[reference], [value]).unwrap_err();
+        assert_eq!(error.to_string(), sentence);
+    }
+    let error = initializing().set_integer(&[handles.cups.reference()], [9]).unwrap_err();
+    let sentence = "`cups` cannot be 9: it must be a whole number, from 1 to 8";
+    assert_eq!(error.to_string(), sentence);
+    let error = initializing().set_string(&[handles.heating.reference()], ["coal"]).unwrap_err();
+    let sentence = "`heating` cannot be \"coal\": it must be \"gas\" or \"electric\"";
+    assert_eq!(error.to_string(), sentence);
+}
+
+/// Bounds hold wherever a variable may be set: Instantiated, initialization mode, step complete.
+#[test]
+fn bounds_hold_in_every_phase() {
+    for (phase, begin) in [
+        ("instantiated", instance as fn() -> _),
+        ("initializing", initializing),
+        ("running", running),
+    ] {
+        let power = begin().signals().knob.power.reference();
+        let air = begin().signals().air.temperature.reference();
+        for reference in [power, air] {
+            assert!(begin().set_real(&[reference], [0.0]).is_ok(), "{phase}: the bound itself");
+            for wrong in [-1e-300, f64::NAN, f64::INFINITY] {
+                let result = begin().set_real(&[reference], [wrong]);
+                assert!(result.is_err(), "{phase}: {wrong} at {reference}");
+            }
+        }
+    }
+}
+
+/// Nothing is stored of a value that is refused.
+#[test]
+fn a_refused_value_leaves_the_old_one() {
+    let mut kettle = initializing();
+    let handles = kettle.signals().kettle;
+    kettle.set_real(&[handles.volume.reference()], [0.0]).unwrap_err();
+    kettle.set_string(&[handles.heating.reference()], ["coal"]).unwrap_err();
+    assert_eq!(kettle.values()[handles.volume], 2.0);
+    assert_eq!(kettle.values()[handles.heating], "electric");
+}
+
+#[test]
+fn a_start_value_out_of_bounds_is_refused_when_the_interface_is_formed() {
+    fmu::variables! {
+        /// A start value that its own bounds exclude.
+        struct Wrong: parameter {
+            /// Length
+            length: "length", METRE = 0.0, above(0.0);
+        }
+    }
+    struct Broken;
+    impl Model for Broken {
+        const IDENTITY: Identity = Kitchen::IDENTITY;
+        type Signals = Handles<Wrong>;
+        type State = ();
+
+        fn declare(_: &Path, d: &mut Declaration) -> Result<Handles<Wrong>, ModelError> {
+            Ok(Wrong::declare(d, ""))
+        }
+
+        fn initialize(
+            _: &Handles<Wrong>,
+            _: &mut Values,
+            _: &Path,
+            _: f64,
+            _: &mut Log,
+        ) -> Result<Self, ModelError> {
+            Ok(Self)
+        }
+
+        fn step(
+            &mut self,
+            _: &Handles<Wrong>,
+            _: &mut Values,
+            _: Interval,
+            _: &mut Log,
+        ) -> Result<(), ModelError> {
+            Ok(())
+        }
+
+        fn state(&self) -> Cow<'_, ()> {
+            Cow::Owned(())
+        }
+
+        fn restore(&mut self, (): ()) {}
+    }
+    let error = Instance::<Broken>::new(Path::new(""), "one", Box::new(|_, _| {})).err().unwrap();
+    let sentence = "the interface cannot be formed: the start value of `length` must be \
+                    a finite number, greater than 0 m";
+    assert_eq!(error.to_string(), sentence);
+}
+
+proptest! {
+    /// A setter admits exactly the numbers within the bounds that the declaration states.
+    #[test]
+    fn property_a_setter_admits_what_the_declaration_allows(
+        value in prop_oneof![any::<f64>(), -4.0..4.0, Just(0.0), Just(3.0), Just(5e-324)],
+    ) {
+        let mut kettle = initializing();
+        let handles = kettle.signals().kettle;
+        let variables = kettle.declaration().variables().to_vec();
+        for (handle, index) in [(handles.volume, 0), (handles.filling, 1), (handles.height, 2)] {
+            let Kind::Real { bounds, .. } = variables[index].kind else {
+                unreachable!("they are Real");
+            };
+            let above_min = bounds.min.is_none_or(|min| match bounds.above {
+                true => value > min,
+                false => value >= min,
+            });
+            let allowed = value.is_finite() && above_min && bounds.max.is_none_or(|max| value <= max);
+            let mut fresh = initializing();
+            let result = fresh.set_real(&[handle.reference()], [value]);
+            prop_assert_eq!(result.is_ok(), allowed, "{} = {}", variables[index].name, value);
+        }
+        prop_assert!(kettle.set_real(&[handles.height.reference()], [1.0]).is_ok());
+    }
+}
+
+/// What stands in no table is declared one by one, with the same kinds.
+#[test]
+fn a_builder_makes_what_a_table_makes() {
+    let mut by_table = Declaration::default();
+    Kettle::declare(&mut by_table, "");
+    let mut by_hand = Declaration::default();
+    let volume = by_hand.real("kettle.volume", unit::METRE, "Volume of the kettle");
+    let _ = volume.within(fmu::above(0.0).at_most(3.0)).parameter(2.0);
+    assert_eq!(by_table.variables()[0], by_hand.variables()[0]);
+}

@@ -1,0 +1,78 @@
+//! How a reference run is made.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::ReferenceError;
+use crate::files::file_error::FileError;
+
+/// By how much a value may differ where the FMU does not say, in parts of the largest magnitude of
+/// its signal: what solvers with another step may differ by.
+const DEFAULT_TOLERANCE: f64 = 1e-3;
+
+/// A run from zero to a stop time.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Experiment {
+    /// End of the run, s.
+    pub stop_time_s: f64,
+    /// Communication step, s.
+    pub step_s: f64,
+    /// Steps between two rows of the result.
+    pub record_every: u64,
+    /// By how much a value may differ, in parts of the largest magnitude of its signal.
+    pub relative_tolerance: f64,
+    /// The Real outputs in the result.
+    pub outputs: Vec<String>,
+    /// Start values of Real parameters, where they are not those of the model description.
+    #[serde(default)]
+    pub start_values: BTreeMap<String, f64>,
+}
+
+impl Experiment {
+    /// Reads an experiment.
+    ///
+    /// # Errors
+    /// When the file cannot be read, or makes no sense.
+    pub fn read(file: &Path) -> Result<Self, ReferenceError> {
+        let text = std::fs::read_to_string(file).map_err(FileError::at(file))?;
+        let experiment: Self =
+            toml::from_str(&text).map_err(|error| ReferenceError::content(file, error))?;
+        let positive = |value: f64| value > 0.0 && value.is_finite();
+        let Self { stop_time_s, step_s, record_every, relative_tolerance, .. } = experiment;
+        if !(positive(stop_time_s) && positive(step_s) && record_every > 0) {
+            let problem = "stop_time_s, step_s and record_every must be greater than zero";
+            return Err(ReferenceError::content(file, problem));
+        }
+        if !positive(relative_tolerance) {
+            let problem = "relative_tolerance must be greater than zero";
+            return Err(ReferenceError::content(file, problem));
+        }
+        Ok(experiment)
+    }
+
+    /// The experiment of a result that has none beside it: its outputs at its times, with a step
+    /// that divides the time between two rows.
+    pub fn of_result(names: &[String], times: &[f64], default_step: Option<f64>) -> Option<Self> {
+        let (first, last) = (times.first()?, times.last()?);
+        let rows = times.len() as f64 - 1.0;
+        let interval = (last - first) / rows;
+        let step = default_step.filter(|step| *step > 0.0 && *step <= interval).unwrap_or(interval);
+        let record_every = (interval / step).round().max(1.0);
+        (interval > 0.0).then(|| Self {
+            stop_time_s: *last,
+            step_s: interval / record_every,
+            record_every: record_every as u64,
+            relative_tolerance: DEFAULT_TOLERANCE,
+            outputs: names.to_vec(),
+            start_values: BTreeMap::new(),
+        })
+    }
+
+    /// Number of steps.
+    pub fn steps(&self) -> u64 {
+        (self.stop_time_s / self.step_s).round() as u64
+    }
+}

@@ -1,0 +1,101 @@
+//! Why a run or an export failed.
+
+use std::path::Path;
+
+use miette::Diagnostic;
+
+use crate::files::file_error::FileError;
+use crate::report::ReportError;
+use crate::run::observe::ObserveError;
+use crate::run::stepping::{FailedStep, StepFailure};
+use crate::scenario::ScenarioError;
+use crate::ssp::SspError;
+use crate::system::parallel::ThreadsError;
+use crate::system::unit::UnitError;
+use crate::train::prepare::PrepareError;
+use crate::train::start::StartError;
+
+/// Why a run of a scenario or of a system, or an export, failed.
+#[derive(Debug, thiserror::Error, Diagnostic)]
+pub enum RunError {
+    /// The scenario is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// The scenario's units cannot be set up.
+    #[error("scenario {file}: {source}")]
+    Prepare {
+        /// Scenario.
+        file: String,
+        /// Reason.
+        source: Box<PrepareError>,
+    },
+    /// A package cannot be read or written, or does not fit its FMUs.
+    #[error(transparent)]
+    Ssp(#[from] SspError),
+    /// A time on the command line makes no sense.
+    #[error("{option} {value}: must be a number of seconds greater than zero")]
+    Time {
+        /// The option.
+        option: &'static str,
+        /// The time.
+        value: f64,
+    },
+    /// The system gives no threads.
+    #[error(transparent)]
+    Threads(#[from] ThreadsError),
+    /// The units cannot be initialised.
+    #[error("initialisation: {0}")]
+    Start(#[from] StartError),
+    /// A unit failed while running; what was recorded before is kept.
+    #[error(
+        "at {time} s: {source}; the results until then are in {results}, and `hotfoot report {results}` \
+         makes their report"
+    )]
+    Step {
+        /// Time at which the step began, s.
+        time: f64,
+        /// Reason.
+        source: UnitError,
+        /// Folder of the results.
+        results: String,
+    },
+    /// A unit could not complete what it writes.
+    #[error("at the end of the run: {0}")]
+    End(UnitError),
+    /// Recording failed.
+    #[error(transparent)]
+    Observe(#[from] ObserveError),
+    /// The report cannot be written.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+    /// A file of the results cannot be written.
+    #[error(transparent)]
+    File(#[from] FileError),
+}
+
+impl RunError {
+    /// What `map_err` needs for units of the scenario in this file.
+    pub(crate) fn prepare(file: &Path) -> impl FnOnce(PrepareError) -> Self + '_ {
+        move |source| Self::Prepare { file: file.display().to_string(), source: source.into() }
+    }
+
+    /// A step that failed, in a run whose results are in this folder.
+    pub(crate) fn step(failed: FailedStep, results: &Path) -> Self {
+        let FailedStep { time, source } = failed;
+        match source {
+            StepFailure::Unit(source) => {
+                Self::Step { time, source, results: results.display().to_string() }
+            }
+            StepFailure::Observe(source) => source.into(),
+        }
+    }
+
+    /// Refuses a time that is not greater than zero.
+    pub(crate) fn check_time(option: &'static str, value: f64) -> Result<(), Self> {
+        match value > 0.0 && value.is_finite() {
+            true => Ok(()),
+            false => Err(Self::Time { option, value }),
+        }
+    }
+}
