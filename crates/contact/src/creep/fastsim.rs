@@ -79,7 +79,8 @@ pub(crate) fn march(creepages: &ScaledCreepages, division: Division) -> ScaledFo
         let width = 2.0 * half * half_width.sin();
         // Adding up both sides at once makes mirrored motions give mirrored forces bit by bit.
         let sides = [y, -y].map(|y| march_strip(creepages, y, half, division.elements));
-        let both = |of: fn(&ScaledForces) -> f64| FRAC_2_PI * width * (of(&sides[0]) + of(&sides[1]));
+        let both =
+            |of: fn(&ScaledForces) -> f64| FRAC_2_PI * width * (of(&sides[0]) + of(&sides[1]));
         forces.longitudinal += both(|strip| strip.longitudinal);
         forces.lateral += both(|strip| strip.lateral);
         forces.moment_x += both(|strip| strip.moment_x);

@@ -13,7 +13,7 @@
 //! (`property_table_follows_the_march`). It goes over m/(1 + m), ny/(nx + ny), z/(z + sqrt(nx² +
 //! ny²)) and a/(a + b).
 
-use super::fastsim::{ScaledForces, Division, ScaledCreepages, march};
+use super::fastsim::{Division, ScaledCreepages, ScaledForces, march};
 use std::array::from_fn;
 use std::fmt;
 use std::sync::OnceLock;

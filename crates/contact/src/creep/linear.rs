@@ -27,10 +27,8 @@ pub(crate) fn linear(patch: &ContactPatch, slip: &SlipVelocity, speed: f64) -> C
     let area = patch.a * patch.b;
     let (stiffness, kalker) = (STEEL.shear_modulus * area * per_speed, &patch.kalker);
     let coupling = stiffness * area.sqrt() * kalker.c23;
-    let damping = CreepDamping {
-        longitudinal: stiffness * kalker.c11,
-        lateral: stiffness * kalker.c22,
-    };
+    let damping =
+        CreepDamping { longitudinal: stiffness * kalker.c11, lateral: stiffness * kalker.c22 };
     let spin_damping = stiffness * area * kalker.c33;
     let spin_force = -direction * coupling * slip.spin;
     CreepForces {

@@ -14,9 +14,7 @@ use super::fastsim::{Division, ScaledCreepages, march};
 use super::fastsim_table::FastsimTable;
 use super::flexibility::{Reduction, Stiffness};
 use super::friction::FallingFriction;
-use super::{
-    CreepDamping, CreepForces, Creepages, SlipVelocity, TangentialForce, reference_speed,
-};
+use super::{CreepDamping, CreepForces, Creepages, SlipVelocity, TangentialForce, reference_speed};
 use crate::geometry::contact_point::ContactPatch;
 use std::f64::consts::{FRAC_PI_2, PI};
 

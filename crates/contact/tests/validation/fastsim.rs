@@ -182,7 +182,12 @@ fn benchmark_fastsim_eurosprinter_as_printed() {
         for &(creepage, force, power) in series.rows {
             let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
             if creepage >= force_from {
-                near(&format!("force at {creepage}"), found.force.longitudinal, force, 0.015 * force);
+                near(
+                    &format!("force at {creepage}"),
+                    found.force.longitudinal,
+                    force,
+                    0.015 * force,
+                );
             }
             if creepage >= power_from {
                 near(&format!("power at {creepage}"), found.friction_power, power, 0.015 * power);

@@ -152,8 +152,9 @@ impl Wheelset {
     /// Vertical force of both rails, N.
     fn vertical(&self, placement: &Placement) -> [f64; 2] {
         self.wheels(placement).map(|wheel| {
-            let upwards =
-                |patch: &Patch| patch.rows.upwards(patch.forces.creep.force.lateral, patch.forces.normal);
+            let upwards = |patch: &Patch| {
+                patch.rows.upwards(patch.forces.creep.force.lateral, patch.forces.normal)
+            };
             wheel.patches().iter().map(upwards).sum()
         })
     }

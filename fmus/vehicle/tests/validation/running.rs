@@ -12,7 +12,8 @@ fn analytic_creep_forces_carry_the_traction() {
     let inputs = Inputs { traction: 200e3, rear_coupler: 200e3, ..Inputs::none(FRICTION) };
     let mut vehicle = started(locomotive(), "", 16.67, &inputs);
     run(&mut vehicle, 5.0, &inputs);
-    let sum: f64 = vehicle.wheels.iter().flatten().map(|wheel| wheel.total.force.longitudinal).sum();
+    let sum: f64 =
+        vehicle.wheels.iter().flatten().map(|wheel| wheel.total.force.longitudinal).sum();
     assert_close(sum, 200e3, 1e-2);
 }
 
