@@ -7,9 +7,13 @@
 //! | `patch.rs` | one contact: approach, normal force, slip |
 //! | `rows.rs` | how a contact moves with its wheelset, and how its forces act on it |
 //! | `slip_mobility.rs` | how much of creep counts at the end of a step |
+//! | `end_forces.rs` | forces of a contact at the end of a step, and their heat |
+//! | `contact_output.rs` | what the FMU shows of a contact |
 //! | `wheel_output.rs` | what a wheel does to its rail at the end of a step |
 //! | `six.rs` | algebra of a wheelset's six velocities |
 
+pub mod contact_output;
+pub mod end_forces;
 pub mod patch;
 pub mod rows;
 pub mod six;
@@ -18,7 +22,8 @@ pub mod wheel;
 pub mod wheel_motion;
 pub mod wheel_output;
 
+pub use contact_output::ContactOutput;
 pub use patch::Patch;
 pub use wheel::{PATCHES, Standing, Wheel};
 pub use wheel_motion::{Side, WheelData, WheelMotion};
-pub use wheel_output::{ContactOutput, WheelOutput};
+pub use wheel_output::WheelOutput;

@@ -75,7 +75,7 @@ impl WheelsetStep<'_> {
         let after: Six = std::array::from_fn(|i| before[i] + change[i]);
         (state.velocity, state.angular_velocity) = six::split(&after);
         for (output, wheel) in outputs.iter_mut().zip(&wheels) {
-            let heat = output.take(wheel, &change, after[0]);
+            let heat = output.update(wheel, &change, after[0]);
             account.friction_heat += self.step * heat.friction;
             account.contact_heat += self.step * heat.damping;
         }

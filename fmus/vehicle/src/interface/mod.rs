@@ -7,17 +7,16 @@
 mod signals;
 
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values};
+use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values, Variables};
 use nalgebra::Vector3;
 use stock::Library;
 
 pub use self::signals::Signals;
+use self::signals::{Start, VEHICLE_FILE};
 use crate::compile::multibody;
-use crate::contact::Standing;
-use crate::contact::WheelOutput;
-use crate::dynamics::inputs::Inputs;
+use crate::contact::{Standing, WheelOutput};
 use crate::dynamics::{Dynamics, LONGEST_STEP, State};
 use crate::structure::Structure;
 use crate::track::Line;
@@ -42,7 +41,7 @@ impl Model for Vehicle {
     type State = State;
 
     fn declare(resources: &Path, declaration: &mut Declaration) -> Result<Signals, ModelError> {
-        let vehicle = read_vehicle(resources, "")?;
+        let vehicle = read_vehicle(&resources.join(VEHICLE_FILE))?;
         let multibody = multibody(&vehicle).map_err(ModelError::from_error)?;
         Ok(Signals::declare(declaration, multibody))
     }
@@ -54,17 +53,16 @@ impl Model for Vehicle {
         _start_time: f64,
         log: &mut Log,
     ) -> Result<Self, ModelError> {
-        let vehicle = read_vehicle(resources, &values[signals.vehicle_file])?;
-        let structure = Structure::shared(&vehicle).map_err(|error| {
-            let file = file(resources, &values[signals.vehicle_file], "vehicle.toml");
-            ModelError::new(format!("{}: {error}", file.display()))
-        })?;
+        let start = Start::read(&signals.start, values);
+        let Start { position, velocity, .. } = start;
+        let vehicle_file = start.vehicle_file.path(resources);
+        let vehicle = read_vehicle(&vehicle_file)?;
+        let structure = Structure::shared(&vehicle)
+            .map_err(|error| ModelError::new(format!("{}: {error}", vehicle_file.display())))?;
         check_shape(&structure, signals, &vehicle.name)?;
-        let track_file = file(resources, &values[signals.track_file], "track.toml");
-        let line = Line::shared(&track_file).map_err(ModelError::from_error)?;
-        let inputs = checked(signals.read(values))?;
-        let position = finite("initial.position", values[signals.initial_position])?;
-        let velocity = finite("initial.velocity", values[signals.initial_velocity])?;
+        let line =
+            Line::shared(&start.track_file.path(resources)).map_err(ModelError::from_error)?;
+        let inputs = signals.read(values);
 
         let mut dynamics = Dynamics::new(structure, line);
         let equilibrium = dynamics.start(position, velocity, &inputs);
@@ -80,7 +78,7 @@ impl Model for Vehicle {
         vehicle.check_numbers()?;
         vehicle.report_wheels(log);
         let along = Vector3::x() * vehicle.dynamics.acceleration;
-        signals.write(&vehicle.dynamics, &felt(&vehicle.dynamics, along), values);
+        signals.write(&vehicle.dynamics, less_gravity(&vehicle.dynamics, along), values);
         Ok(vehicle)
     }
 
@@ -91,7 +89,7 @@ impl Model for Vehicle {
         interval: Interval,
         log: &mut Log,
     ) -> Result<(), ModelError> {
-        let inputs = checked(signals.read(values))?;
+        let inputs = signals.read(values);
         let steps = steps(interval.length, self.dynamics.longest_step());
         let length = interval.length / f64::from(steps);
         let mut rate = Vector3::zeros();
@@ -102,7 +100,7 @@ impl Model for Vehicle {
         }
         self.check_numbers()?;
         self.report_wheels(log);
-        signals.write(&self.dynamics, &felt(&self.dynamics, rate), values);
+        signals.write(&self.dynamics, less_gravity(&self.dynamics, rate), values);
         Ok(())
     }
 
@@ -116,13 +114,13 @@ impl Model for Vehicle {
 }
 
 impl Vehicle {
-    /// A number that is none is the end of the run.
+    /// Ends the run when a position, force or power is no finite number.
     fn check_numbers(&self) -> Result<(), ModelError> {
         let dynamics = &self.dynamics;
         let broken = |wheels: &[WheelOutput; 2]| {
             wheels
                 .iter()
-                .any(|wheel| !(wheel.total.normal + wheel.total.friction_power).is_finite())
+                .any(|wheel| !(wheel.total.force.normal + wheel.total.friction_power).is_finite())
         };
         let position = dynamics.position();
         match dynamics.wheels.iter().position(broken) {
@@ -136,7 +134,7 @@ impl Vehicle {
         }
     }
 
-    /// Tells when a wheel loses its contact, leaves the profiles or is back.
+    /// Warns when a wheel loses its contact, leaves the profiles or is back.
     fn report_wheels(&mut self, log: &mut Log) {
         let dynamics = &self.dynamics;
         for (i, (wheels, before)) in dynamics.wheels.iter().zip(&mut self.reported).enumerate() {
@@ -161,9 +159,9 @@ impl Vehicle {
     }
 }
 
-/// What an accelerometer in the first body feels whose velocity in its frame changes with `rate` (eq.
-/// 41), m/s².
-fn felt(dynamics: &Dynamics, rate: Vector3<f64>) -> Vector3<f64> {
+/// Acceleration less gravity of the first body, whose velocity in its frame changes with `rate`, m/s²
+/// (eq. 41).
+fn less_gravity(dynamics: &Dynamics, rate: Vector3<f64>) -> Vector3<f64> {
     let (body, state) = (&dynamics.structure.bodies[0], &dynamics.state.bodies[0]);
     rate - state.frame_forces(body, &dynamics.scratch.frames[0]).force / body.mass
 }
@@ -174,18 +172,9 @@ fn steps(length: f64, longest: f64) -> u32 {
     (length / longest - 1e-6).ceil().max(1.0) as u32
 }
 
-/// The file a parameter names; empty: the file of this name in the FMU's resources.
-fn file(resources: &Path, parameter: &str, default: &str) -> PathBuf {
-    match parameter.is_empty() {
-        true => resources.join(default),
-        false => PathBuf::from(parameter),
-    }
-}
-
-fn read_vehicle(resources: &Path, parameter: &str) -> Result<stock::Vehicle, ModelError> {
-    let file = file(resources, parameter, "vehicle.toml");
-    let library = Library::of(&file).map_err(ModelError::from_error)?;
-    library.vehicle_from_file(&file).map_err(ModelError::from_error)
+fn read_vehicle(file: &Path) -> Result<stock::Vehicle, ModelError> {
+    let library = Library::of(file).map_err(ModelError::from_error)?;
+    library.vehicle_from_file(file).map_err(ModelError::from_error)
 }
 
 /// Another vehicle file must not change the interface.
@@ -199,32 +188,4 @@ fn check_shape(structure: &Structure, signals: &Signals, name: &str) -> Result<(
              this FMU was made for {declared} and {shown}; pack an FMU for that vehicle"
         ))),
     }
-}
-
-/// The inputs, if they are possible.
-fn checked(inputs: Inputs) -> Result<Inputs, ModelError> {
-    finite("coupler.front.force", inputs.front_coupler)?;
-    finite("coupler.rear.force", inputs.rear_coupler)?;
-    finite("resistance.force", inputs.resistance)?;
-    finite("traction.force", inputs.traction)?;
-    finite("sync.force", inputs.synchronisation)?;
-    within("brake.force", inputs.brake, 0.0, f64::MAX)?;
-    within("friction.coefficient", inputs.friction, 0.01, 1.0)?;
-    Ok(inputs)
-}
-
-fn finite(name: &str, value: f64) -> Result<f64, ModelError> {
-    within(name, value, -f64::MAX, f64::MAX)
-}
-
-fn within(name: &str, value: f64, low: f64, high: f64) -> Result<f64, ModelError> {
-    if (low..=high).contains(&value) {
-        return Ok(value);
-    }
-    let wanted = match (low == -f64::MAX, high == f64::MAX) {
-        (true, _) => "must be a finite number".to_owned(),
-        (_, true) => format!("must be a finite number not below {low}"),
-        _ => format!("must lie between {low} and {high}"),
-    };
-    Err(ModelError::new(format!("{name} = {value}: {wanted}")))
 }

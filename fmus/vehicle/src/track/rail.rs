@@ -116,7 +116,7 @@ impl Deflection {
 /// Stiffness of Hertz's contact, which stores 2/5 of force times approach: 3/2 F over the approach.
 fn contact_stiffness(wheel: &WheelOutput) -> f64 {
     match wheel.elastic_energy > 0.0 {
-        true => 0.6 * wheel.total.normal * wheel.total.normal / wheel.elastic_energy,
+        true => 0.6 * wheel.total.force.normal * wheel.total.force.normal / wheel.elastic_energy,
         false => 0.0,
     }
 }

@@ -58,7 +58,7 @@ fn analytic_wheel_loads_balance_the_overturning_moment() {
     let (mut held, mut possible) = (0.0, 0.0);
     for (wheels, data) in vehicle.wheels.iter().zip(&structure.wheelsets) {
         for (wheel, sign) in wheels.iter().zip([-1.0, 1.0]) {
-            let head = sign * (half_rail_distance(data) + wheel.total.rail_lateral);
+            let head = sign * (half_rail_distance(data) + wheel.total.ellipse.lateral_position);
             held -= wheel.vertical * (head + inside(data.body));
             possible += wheel.vertical * data.wheel.half_distance;
         }

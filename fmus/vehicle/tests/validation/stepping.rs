@@ -120,7 +120,7 @@ fn property_runs_at_any_speed() {
             );
             for wheel in vehicle.wheels.iter().flatten() {
                 assert!(
-                    wheel.total.normal > 50e3 && wheel.standing == Standing::OnRail,
+                    wheel.total.force.normal > 50e3 && wheel.standing == Standing::OnRail,
                     "{speed} m/s: {wheel:?}"
                 );
             }

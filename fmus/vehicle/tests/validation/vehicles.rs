@@ -80,7 +80,7 @@ fn property_all_vehicles_run_through_a_transition() {
             let mut vehicle = started(from_stock(name), TRANSITION, speed, &inputs);
             run(&mut vehicle, 5.0, &inputs);
             for wheel in vehicle.wheels.iter().flatten() {
-                assert!(wheel.total.normal > 0.0, "{name} at {speed} m/s: {wheel:?}");
+                assert!(wheel.total.force.normal > 0.0, "{name} at {speed} m/s: {wheel:?}");
             }
         }
     }

@@ -1,77 +1,52 @@
 //! Attitudes of the bodies, and accelerations of the first one.
 
-use fmu::{Declaration, Real, Values, unit};
 use nalgebra::Vector3;
 
 use crate::body::BodyState;
 
-/// Handles of the attitude of a body.
-#[derive(Debug)]
-pub(super) struct AttitudeSignals {
-    lateral: Real,
-    vertical: Real,
-    roll: Real,
-    pitch: Real,
-    yaw: Real,
+fmu::variables! {
+    /// Attitude of a body.
+    #[derive(Copy)]
+    pub struct Attitude: output {
+        /// Displacement of the centre of mass to the right, {}
+        lateral: "lateral", METRE;
+        /// Displacement of the centre of mass downwards, {}
+        vertical: "vertical", METRE;
+        /// Roll against the track, right side down positive, {}
+        roll: "roll", RADIAN;
+        /// Pitch against the track, front up positive, {}
+        pitch: "pitch", RADIAN;
+        /// Yaw against the track, front to the right positive, {}
+        yaw: "yaw", RADIAN;
+    }
+
+    /// What an accelerometer in the first body's centre of mass measures (eq. 41).
+    #[derive(Copy)]
+    pub struct BodyAcceleration: output {
+        /// Acceleration less gravity at the body's centre of mass in the last step, to the right in
+        /// the plane of the rails
+        lateral: "lateral", METRE_PER_SECOND_SQUARED;
+        /// Acceleration less gravity at the body's centre of mass in the last step, down, square to
+        /// that plane; -9.81 m/s2 at rest
+        vertical: "vertical", METRE_PER_SECOND_SQUARED;
+    }
 }
 
-/// Handles of what an accelerometer in the first body's centre of mass feels.
-#[derive(Debug)]
-pub(super) struct AccelerationSignals {
-    lateral: Real,
-    vertical: Real,
-}
-
-impl AttitudeSignals {
-    pub fn declare(d: &mut Declaration, name: &str, title: &str) -> Self {
-        let mut output = |what: &str, unit, description: &str| {
-            d.real(format!("{name}.{what}"), unit, format!("{description}, {title}")).output()
-        };
+impl From<&BodyState> for Attitude {
+    fn from(state: &BodyState) -> Self {
+        let (position, rotation) = (&state.position, &state.rotation);
         Self {
-            lateral: output(
-                "lateral",
-                unit::METRE,
-                "Displacement of the centre of mass to the right",
-            ),
-            vertical: output(
-                "vertical",
-                unit::METRE,
-                "Displacement of the centre of mass downwards",
-            ),
-            roll: output("roll", unit::RADIAN, "Roll against the track, right side down positive"),
-            pitch: output("pitch", unit::RADIAN, "Pitch against the track, front up positive"),
-            yaw: output("yaw", unit::RADIAN, "Yaw against the track, front to the right positive"),
+            lateral: position.y,
+            vertical: position.z,
+            roll: rotation.x,
+            pitch: rotation.y,
+            yaw: rotation.z,
         }
     }
-
-    /// Shows the body at `state`.
-    pub fn write(&self, state: &BodyState, values: &mut Values) {
-        values[self.lateral] = state.position.y;
-        values[self.vertical] = state.position.z;
-        values[self.roll] = state.rotation.x;
-        values[self.pitch] = state.rotation.y;
-        values[self.yaw] = state.rotation.z;
-    }
 }
 
-impl AccelerationSignals {
-    pub fn declare(d: &mut Declaration) -> Self {
-        let mut output = |what: &str, description: &str| {
-            let name = format!("body.acceleration.{what}");
-            let description = format!(
-                "Acceleration less gravity at the body's centre of mass in the last step, {description}"
-            );
-            d.real(name, unit::METRE_PER_SECOND_SQUARED, description).output()
-        };
-        Self {
-            lateral: output("lateral", "to the right in the plane of the rails"),
-            vertical: output("vertical", "down, square to that plane; -9.81 m/s2 at rest"),
-        }
-    }
-
-    /// Shows the acceleration less gravity.
-    pub fn write(&self, felt: &Vector3<f64>, values: &mut Values) {
-        values[self.lateral] = felt.y;
-        values[self.vertical] = felt.z;
+impl From<Vector3<f64>> for BodyAcceleration {
+    fn from(acceleration: Vector3<f64>) -> Self {
+        Self { lateral: acceleration.y, vertical: acceleration.z }
     }
 }

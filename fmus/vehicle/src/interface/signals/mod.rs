@@ -2,47 +2,67 @@
 //!
 //! | file | part |
 //! |---|---|
-//! | `inputs.rs` | forces from outside, and the friction of the rails |
 //! | `wheelset.rs` | a wheelset and its wheels |
-//! | `contact.rs` | a contact, or all of a wheel together |
 //! | `track_forces.rs` | Y, Q and what is formed from them |
 //! | `body.rs` | attitudes of the bodies, accelerations of the first one |
-//! | `energy.rs` | the energy account |
+//!
+//! Inputs, energy and contacts have their tables where the physics has them: `dynamics/inputs.rs`,
+//! `energy.rs`, `contact/contact_output.rs`.
 
 mod body;
-mod contact;
-mod energy;
-mod inputs;
 mod track_forces;
 mod wheelset;
 
-use fmu::{Declaration, Real, Text, Values, unit};
+use fmu::{Declaration, Handles, Scope, Values, Variables};
 use nalgebra::Vector3;
 use stock::Multibody;
 
 use crate::dynamics::Dynamics;
 use crate::dynamics::inputs::Inputs;
-use body::{AccelerationSignals, AttitudeSignals};
-use energy::EnergySignals;
-use inputs::InputSignals;
+use crate::energy::{Account, Stored};
+use body::{Attitude, BodyAcceleration};
 use wheelset::WheelsetSignals;
+
+/// The vehicle file in the resources.
+pub(crate) const VEHICLE_FILE: &str = "vehicle.toml";
+
+fmu::variables! {
+    /// Files, and the start.
+    pub struct Start: parameter {
+        /// Vehicle file; empty: vehicle.toml in the FMU's resources
+        vehicle_file: "vehicle_file", file(VEHICLE_FILE);
+        /// Track file; empty: track.toml in the FMU's resources
+        track_file: "track_file", file("track.toml");
+        /// Chainage of the vehicle's middle at first
+        position: "initial.position", METRE = 0.0;
+        /// Speed at first
+        velocity: "initial.velocity", METRE_PER_SECOND = 0.0;
+    }
+
+    /// Motion along the track.
+    #[derive(Copy)]
+    pub struct Motion: output {
+        /// Chainage of the vehicle's middle
+        position: "position", METRE;
+        /// Speed of the car body along the track
+        velocity: "velocity", METRE_PER_SECOND;
+        /// Acceleration of the car body along the track in the last step
+        acceleration: "acceleration", METRE_PER_SECOND_SQUARED;
+    }
+}
 
 /// Handles of all variables.
 #[derive(Debug)]
 pub struct Signals {
-    pub(crate) vehicle_file: Text,
-    pub(crate) track_file: Text,
-    pub(crate) initial_position: Real,
-    pub(crate) initial_velocity: Real,
-    inputs: InputSignals,
-    position: Real,
-    velocity: Real,
-    acceleration: Real,
-    wheelsets: Vec<WheelsetSignals>,
+    pub(crate) start: Handles<Start>,
+    inputs: Handles<Inputs>,
+    motion: Handles<Motion>,
+    wheelsets: Vec<Handles<WheelsetSignals>>,
     /// Car body, then all others but the wheelsets.
-    bodies: Vec<AttitudeSignals>,
-    body_acceleration: AccelerationSignals,
-    energy: EnergySignals,
+    bodies: Vec<Handles<Attitude>>,
+    body_acceleration: Handles<BodyAcceleration>,
+    stored: Handles<Stored>,
+    account: Handles<Account>,
 }
 
 impl Signals {
@@ -50,39 +70,20 @@ impl Signals {
     pub(crate) fn declare(d: &mut Declaration, multibody: &Multibody) -> Self {
         let wheelsets = multibody.wheelset.len();
         declare_terminals(d, wheelsets);
+        let start = Start::declare(d, "");
+        let inputs = Inputs::declare(d, "");
+        d.set_start(inputs.friction, multibody.contact.creep.friction);
         Self {
-            vehicle_file: d.text_parameter(
-                "vehicle_file",
-                "Vehicle file; empty: vehicle.toml in the FMU's resources",
-                "",
-            ),
-            track_file: d.text_parameter(
-                "track_file",
-                "Track file; empty: track.toml in the FMU's resources",
-                "",
-            ),
-            initial_position: d
-                .real("initial.position", unit::METRE, "Chainage of the vehicle's middle at first")
-                .parameter(0.0),
-            initial_velocity: d
-                .real("initial.velocity", unit::METRE_PER_SECOND, "Speed at first")
-                .parameter(0.0),
-            inputs: InputSignals::declare(d, multibody.contact.creep.friction),
-            position: d.real("position", unit::METRE, "Chainage of the vehicle's middle").output(),
-            velocity: d
-                .real("velocity", unit::METRE_PER_SECOND, "Speed of the car body along the track")
-                .output(),
-            acceleration: d
-                .real(
-                    "acceleration",
-                    unit::METRE_PER_SECOND_SQUARED,
-                    "Acceleration of the car body along the track in the last step",
-                )
-                .output(),
-            wheelsets: (1..=wheelsets).map(|i| WheelsetSignals::declare(d, i)).collect(),
+            start,
+            inputs,
+            motion: Motion::declare(d, ""),
+            wheelsets: (1..=wheelsets)
+                .map(|number| WheelsetSignals::declare(d, format!("wheelset[{number}]")))
+                .collect(),
             bodies: attitudes(d, multibody),
-            body_acceleration: AccelerationSignals::declare(d),
-            energy: EnergySignals::declare(d),
+            body_acceleration: BodyAcceleration::declare(d, "body.acceleration"),
+            stored: Stored::declare(d, "energy"),
+            account: Account::declare(d, "energy"),
         }
     }
 
@@ -93,34 +94,46 @@ impl Signals {
 
     /// The inputs of now.
     pub(crate) fn read(&self, values: &Values) -> Inputs {
-        self.inputs.read(values)
+        Inputs::read(&self.inputs, values)
     }
 
-    /// Shows the vehicle, whose first body has felt `felt` in the last step (eq. 41).
-    pub(crate) fn write(&self, dynamics: &Dynamics, felt: &Vector3<f64>, values: &mut Values) {
-        values[self.position] = dynamics.position();
-        values[self.velocity] = dynamics.velocity();
-        values[self.acceleration] = dynamics.acceleration;
+    /// Shows the vehicle, whose first body had this acceleration less gravity in the last step.
+    pub(crate) fn write(
+        &self,
+        dynamics: &Dynamics,
+        acceleration: Vector3<f64>,
+        values: &mut Values,
+    ) {
+        let motion = Motion {
+            position: dynamics.position(),
+            velocity: dynamics.velocity(),
+            acceleration: dynamics.acceleration,
+        };
+        motion.write(&self.motion, values);
         let wheelsets = dynamics.structure.wheelsets.iter().zip(&dynamics.wheels);
         for (handles, (data, wheels)) in self.wheelsets.iter().zip(wheelsets) {
             let state = &dynamics.state.bodies[data.body];
-            handles.write(state, wheels, data.static_wheel_load, values);
+            wheelset::write(handles, state, wheels, data.static_wheel_load, values);
         }
         for (handles, state) in self.bodies.iter().zip(&dynamics.state.bodies) {
-            handles.write(state, values);
+            Attitude::from(state).write(handles, values);
         }
-        self.body_acceleration.write(felt, values);
-        self.energy.write(&dynamics.stored_energy(), &dynamics.state.account, values);
+        BodyAcceleration::from(acceleration).write(&self.body_acceleration, values);
+        dynamics.stored_energy().write(&self.stored, values);
+        dynamics.state.account.write(&self.account, values);
     }
 }
 
 /// The first body is `body`; the others are `bogie[i]` in the order of the file, whatever they are:
 /// the description has their own names.
-fn attitudes(d: &mut Declaration, multibody: &Multibody) -> Vec<AttitudeSignals> {
+fn attitudes(d: &mut Declaration, multibody: &Multibody) -> Vec<Handles<Attitude>> {
     let bodies = multibody.body.iter().enumerate();
-    let named = bodies.map(|(i, body)| match i {
-        0 => AttitudeSignals::declare(d, "body", &body.name),
-        _ => AttitudeSignals::declare(d, &format!("bogie[{i}]"), &body.name),
+    let named = bodies.map(|(i, body)| {
+        let scope = match i {
+            0 => Scope::from("body"),
+            _ => Scope::from(format!("bogie[{i}]")),
+        };
+        Attitude::declare(d, scope.about(&body.name))
     });
     named.collect()
 }

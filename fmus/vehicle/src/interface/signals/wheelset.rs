@@ -1,118 +1,73 @@
 //! A wheelset and its wheels.
 
-use fmu::{Declaration, Real, Values, unit};
+use fmu::{Handles, Values, Variables};
 
-use super::contact::ContactSignals;
-use super::track_forces::TrackForceSignals;
+use super::track_forces::TrackForces;
 use crate::body::BodyState;
-use crate::contact::PATCHES;
-use crate::contact::WheelOutput;
+use crate::contact::{ContactOutput, PATCHES, Side, WheelOutput};
 
-/// Handles of a wheelset.
-#[derive(Debug)]
-pub(super) struct WheelsetSignals {
-    position: Real,
-    speed: Real,
-    lateral: Real,
-    yaw: Real,
-    /// Left, right.
-    wheels: [WheelSignals; 2],
-    track_forces: TrackForceSignals,
-}
-
-/// Handles of a wheel.
-#[derive(Debug)]
-struct WheelSignals {
-    total: ContactSignals,
-    standing: Real,
-    patches: [ContactSignals; PATCHES],
-}
-
-impl WheelsetSignals {
-    pub fn declare(d: &mut Declaration, number: usize) -> Self {
-        let name = format!("wheelset[{number}]");
-        Self {
-            position: d
-                .real(format!("{name}.position"), unit::METRE, "Chainage of the wheelset")
-                .output(),
-            speed: d
-                .real(
-                    format!("{name}.speed"),
-                    unit::METRE_PER_SECOND,
-                    "Speed of the wheelset along the track",
-                )
-                .output(),
-            lateral: d
-                .real(
-                    format!("{name}.lateral"),
-                    unit::METRE,
-                    "Displacement of the wheelset's middle to the right of the track's",
-                )
-                .output(),
-            yaw: d
-                .real(
-                    format!("{name}.yaw"),
-                    unit::RADIAN,
-                    "Yaw of the wheelset against the track, front to the right positive",
-                )
-                .output(),
-            wheels: ["left", "right"].map(|side| WheelSignals::declare(d, &name, side)),
-            track_forces: TrackForceSignals::declare(d, &name),
-        }
+fmu::variables! {
+    /// A wheelset.
+    pub struct WheelsetSignals: output {
+        /// Chainage of the wheelset
+        position: "position", METRE;
+        /// Speed of the wheelset along the track
+        speed: "speed", METRE_PER_SECOND;
+        /// Displacement of the wheelset's middle to the right of the track's
+        lateral: "lateral", METRE;
+        /// Yaw of the wheelset against the track, front to the right positive
+        yaw: "yaw", RADIAN;
+        /// Both wheels on their rails.
+        wheels: ["left", "right"], group(WheelSignals) = ["left wheel", "right wheel"];
+        /// Forces of both wheels on the track.
+        track_forces: ["left", "right"], group(TrackForces) = ["left wheel", "right wheel"];
+        /// Sum of Y: lateral force of the wheelset on the track, positive to the right
+        lateral_sum: "track_force.lateral_sum", NEWTON;
     }
 
-    /// Shows the wheelset at `state` with both wheels, whose load at rest is `static_load`.
-    pub fn write(
-        &self,
-        state: &BodyState,
-        wheels: &[WheelOutput; 2],
-        static_load: f64,
-        values: &mut Values,
-    ) {
-        values[self.position] = state.position.x;
-        values[self.speed] = state.velocity.x;
-        values[self.lateral] = state.position.y;
-        values[self.yaw] = state.rotation.z;
-        self.track_forces.write(wheels, static_load, values);
-        for (handles, wheel) in self.wheels.iter().zip(wheels) {
-            handles.write(wheel, values);
-        }
+    /// A wheel on its rail.
+    pub struct WheelSignals: output {
+        /// All its contacts together.
+        total: "", group(ContactOutput);
+        /// 0: on its rail, 1: lifted off it, 2: climbed over it or fallen off it, {}
+        standing: "contact.state", ONE;
+        /// Each of its contacts.
+        patches: ["patch[1]", "patch[2]", "patch[3]"], group(ContactOutput) = [
+            "of the contacts the one nearest to the tread",
+            "of the contacts number 2 towards the flange",
+            "of the contacts number 3 towards the flange"
+        ];
     }
 }
 
-impl WheelSignals {
-    fn declare(d: &mut Declaration, wheelset: &str, side: &str) -> Self {
-        let name = format!("{wheelset}.{side}");
-        Self {
-            total: ContactSignals::declare(d, &name, &format!("{side} wheel")),
-            standing: d
-                .real(
-                    format!("{name}.contact.state"),
-                    unit::ONE,
-                    format!(
-                        "0: on its rail, 1: lifted off it, 2: climbed over it or fallen off it, \
-                         {side} wheel"
-                    ),
-                )
-                .output(),
-            patches: std::array::from_fn(|i| {
-                let whose = match i {
-                    0 => "of the contacts the one nearest to the tread".into(),
-                    _ => format!("of the contacts number {} towards the flange", i + 1),
-                };
-                ContactSignals::declare(d, &format!("{name}.patch[{}]", i + 1), &whose)
-            }),
-        }
+/// Shows the wheelset at `state` with both wheels, whose load at rest is `static_load` (N).
+pub(super) fn write(
+    handles: &Handles<WheelsetSignals>,
+    state: &BodyState,
+    wheels: &[WheelOutput; 2],
+    static_load: f64,
+    values: &mut Values,
+) {
+    values[handles.position] = state.position.x;
+    values[handles.speed] = state.velocity.x;
+    values[handles.lateral] = state.position.y;
+    values[handles.yaw] = state.rotation.z;
+    for (i, side) in Side::BOTH.into_iter().enumerate() {
+        let forces = TrackForces::new(&wheels[i], side, static_load);
+        forces.write(&handles.track_forces[i], values);
+        write_wheel(&handles.wheels[i], &wheels[i], values);
     }
+    values[handles.lateral_sum] = -wheels[0].guiding - wheels[1].guiding;
+}
 
-    fn write(&self, wheel: &WheelOutput, values: &mut Values) {
-        self.total.write(&wheel.total, values);
-        values[self.standing] = f64::from(wheel.standing as u8);
-        for (handles, patch) in self.patches.iter().zip(&wheel.patches) {
-            // One that was not there and still is not costs nothing.
-            if patch.normal != 0.0 || handles.shows_one(values) {
-                handles.write(patch, values);
-            }
+fn write_wheel(handles: &Handles<WheelSignals>, wheel: &WheelOutput, values: &mut Values) {
+    wheel.total.write(&handles.total, values);
+    values[handles.standing] = f64::from(wheel.standing as u8);
+    let patches: &[Handles<ContactOutput>; PATCHES] = &handles.patches;
+    for (handles, patch) in patches.iter().zip(&wheel.patches) {
+        // A contact that was not there and still is not costs nothing.
+        if patch.force.normal != 0.0 || values[handles.force.normal] != 0.0 {
+            patch.write(handles, values);
         }
     }
 }
