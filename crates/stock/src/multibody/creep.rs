@@ -1,8 +1,7 @@
 //! The creep law of a vehicle's contacts: `[multibody.contact.creep]`.
 
+use files::{Check, Mistake};
 use serde::Deserialize;
-
-use crate::check::{Check, StockError};
 
 /// Which creep law.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
@@ -54,7 +53,7 @@ pub struct CreepLaw {
 
 impl CreepLaw {
     /// Checks the values, and that each belongs to the law.
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         use CreepLawKind::{FastsimOnLine, ModifiedFastsim, Polach};
         let fastsim: &[CreepLawKind] = &[ModifiedFastsim, FastsimOnLine];
         let count = |number: Option<usize>| number.map(|number| number as f64);
@@ -76,7 +75,7 @@ impl CreepLaw {
                     return Err(check.error(key, value, wanted));
                 }
                 None if laws == [Polach] && self.law == Polach => {
-                    return Err(check.error(key, "left out", "law = \"polach\" needs it"));
+                    return Err(check.missing(key, "law = \"polach\" needs it"));
                 }
                 None => {}
             }
@@ -102,12 +101,14 @@ impl CreepLawKind {
 
 #[cfg(test)]
 mod tests {
+    use files::Document;
+
     use super::*;
 
-    fn checked(text: &str) -> Result<(), StockError> {
+    fn checked(text: &str) -> Result<(), Mistake> {
         let friction = "source = \"test\"\nfriction = 0.3\nlimit_ratio = 0.4\ndecay_s_m = 0.6\n";
-        let law: CreepLaw = toml::from_str(&format!("{friction}{text}")).unwrap();
-        law.check(&Check::new("v.toml").section("creep"))
+        let document = Document::new("v.toml", format!("{friction}{text}"));
+        document.parse::<CreepLaw>()?.check(&document.check())
     }
 
     #[test]

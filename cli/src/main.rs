@@ -1,9 +1,27 @@
-//! The program `hotfoot`.
+//! The program `hotfoot`: its commands, which the libraries of the master and of the tools carry out.
+//!
+//! | file | commands |
+//! |---|---|
+//! | `run.rs` | `run` |
+//! | `supervise.rs` | a command in a child process, which an FMU may crash |
+//! | `export_ssp.rs`, `pack.rs`, `check.rs` | the commands of the same names |
+//! | `results.rs` | `report`, `expect` |
+//! | `interface.rs` | `interface`, `schema` |
+//!
+//! `modes`, `contact`, `creep` and `critical-speed` stand in the library `tools` (`crates/tools`).
+
+mod check;
+mod export_ssp;
+mod interface;
+mod pack;
+mod results;
+mod run;
+mod supervise;
 
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
-use hotfoot::{check, commands};
+use tools::{contact, creep, critical_speed, modes};
 
 /// Full-train co-simulation of in-train forces, wheel-rail contact and rail-foot heat.
 #[derive(Parser)]
@@ -16,9 +34,9 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     /// Run a scenario and write its results and report, or run an SSP package
-    Run(commands::RunArguments),
+    Run(run::RunArguments),
     /// Write a scenario's train as an SSP package for other tools
-    ExportSsp(commands::ExportArguments),
+    ExportSsp(export_ssp::ExportArguments),
     /// Make the report of a results folder again
     Report {
         /// Folder that a run has written
@@ -35,7 +53,7 @@ enum Command {
     /// reference result that it carries
     Check(check::CheckArguments),
     /// Pack an FMU: a binary with resources and the model description for them
-    Pack(commands::PackArguments),
+    Pack(pack::PackArguments),
     /// List the variables of an FMU
     Interface {
         /// FMU
@@ -47,17 +65,13 @@ enum Command {
     /// Print the JSON schema of scenario files, for editors
     Schema,
     /// Natural frequencies, damping and shapes of a vehicle on its suspension
-    #[command(disable_help_flag = true)]
-    Modes(commands::ToolArguments),
+    Modes(modes::ModesArguments),
     /// How a wheelset touches its rails over the lateral displacement
-    #[command(disable_help_flag = true)]
-    Contact(commands::ToolArguments),
+    Contact(contact::ContactArguments),
     /// Creep forces, friction power and flash temperature of one contact
-    #[command(disable_help_flag = true)]
-    Creep(commands::ToolArguments),
+    Creep(creep::CreepArguments),
     /// Speed at which a vehicle on straight track becomes unstable
-    #[command(disable_help_flag = true)]
-    CriticalSpeed(commands::ToolArguments),
+    CriticalSpeed(critical_speed::CriticalSpeedArguments),
 }
 
 fn main() -> miette::Result<()> {
@@ -66,17 +80,17 @@ fn main() -> miette::Result<()> {
         Box::new(miette::MietteHandlerOpts::new().wrap_lines(false).build())
     }))?;
     match Arguments::parse().command {
-        Command::Run(arguments) => commands::run(&arguments),
-        Command::ExportSsp(arguments) => commands::export_ssp(&arguments),
-        Command::Report { results } => commands::report(&results),
-        Command::Expect { results, expected } => commands::expect(&results, &expected),
-        Command::Check(arguments) => check::command(&arguments),
-        Command::Pack(arguments) => commands::pack(&arguments),
-        Command::Interface { fmu, xml } => commands::interface(&fmu, xml),
-        Command::Schema => commands::schema(),
-        Command::Modes(arguments) => commands::tool("modes", &arguments),
-        Command::Contact(arguments) => commands::tool("contact", &arguments),
-        Command::Creep(arguments) => commands::tool("creep", &arguments),
-        Command::CriticalSpeed(arguments) => commands::tool("critical-speed", &arguments),
+        Command::Run(arguments) => run::run(&arguments),
+        Command::ExportSsp(arguments) => export_ssp::export_ssp(&arguments),
+        Command::Report { results } => results::report(&results),
+        Command::Expect { results, expected } => results::expect(&results, &expected),
+        Command::Check(arguments) => check::check(&arguments),
+        Command::Pack(arguments) => pack::pack(&arguments),
+        Command::Interface { fmu, xml } => interface::interface(&fmu, xml),
+        Command::Schema => interface::schema(),
+        Command::Modes(arguments) => modes::modes(&arguments),
+        Command::Contact(arguments) => contact::contact(&arguments),
+        Command::Creep(arguments) => creep::creep(&arguments),
+        Command::CriticalSpeed(arguments) => critical_speed::critical_speed(&arguments),
     }
 }

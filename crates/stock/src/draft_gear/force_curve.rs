@@ -1,8 +1,7 @@
 //! Force over deflection by points.
 
+use files::{Check, Mistake};
 use serde::Deserialize;
-
-use crate::check::{Check, StockError};
 
 /// Force over deflection by points, linear between them. A force that is not zero at zero is a
 /// preload.
@@ -52,7 +51,7 @@ impl ForceCurve {
         Self { deflection_mm: self.deflection_mm.clone(), force_kn }
     }
 
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         let (x, f) = (&self.deflection_mm, &self.force_kn);
         check.columns(("deflection_mm", x), ("force_kn", f), 2)?;
         match (1..f.len()).find(|&i| f[i] <= f[i - 1]) {
@@ -66,7 +65,7 @@ impl ForceCurve {
 
     /// A gear gives back no more than it took: its unloading curve is nowhere above `loading`, and
     /// both end at the same deflection.
-    pub(crate) fn check_is_below(&self, loading: &Self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check_is_below(&self, loading: &Self, check: &Check) -> Result<(), Mistake> {
         let travel = loading.travel_mm();
         if self.travel_mm() != travel {
             let wanted = format!("must end at the travel of the loading curve, {travel}");

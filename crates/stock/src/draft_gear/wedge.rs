@@ -1,8 +1,7 @@
 //! Section `[wedge]` of the draft-gear file: the statics of a friction clutch.
 
+use files::{Check, Mistake};
 use serde::Deserialize;
-
-use crate::check::{Check, StockError};
 
 /// A friction clutch around the spring.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
@@ -28,7 +27,7 @@ impl Wedge {
     /// ```
     ///
     /// With μ₁ = 0 they are the form of Cole, *Handbook of Railway Vehicle Dynamics*, 2006, ch. 9.
-    pub(crate) fn force_ratios(&self, check: &Check) -> Result<(f64, f64), StockError> {
+    pub(crate) fn force_ratios(&self, check: &Check) -> Result<(f64, f64), Mistake> {
         let Self { angle_deg, wedge_friction, housing_friction } = *self;
         check.between("angle_deg", angle_deg, 1.0, 89.0)?;
         check.between("wedge_friction", wedge_friction, 0.0, 1.0)?;

@@ -1,9 +1,21 @@
-//! A draft gear, as its file is compiled (`gear_file.rs`).
+//! A draft gear: what its file comes down to.
+//!
+//! | file | part |
+//! |---|---|
+//! | `file.rs` | the draft-gear file |
+//! | `wedge.rs` | its section on a friction clutch |
+//! | `force_curve.rs` | force over deflection by points |
 
+mod file;
+mod force_curve;
+mod wedge;
+
+use files::{Check, Mistake};
 use serde::Deserialize;
 
-use crate::check::{Check, StockError};
-use crate::force_curve::ForceCurve;
+pub(crate) use file::GearFile;
+pub use force_curve::ForceCurve;
+pub use wedge::Wedge;
 
 /// A draft gear: what it does in draft and in buff.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +61,7 @@ pub struct Orifice {
 
 impl Characteristic {
     /// The lock must be stiffer than every piece of the curves and than the structure.
-    pub(crate) fn check_lock(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check_lock(&self, check: &Check) -> Result<(), Mistake> {
         let slopes = [
             ("structure_stiffness_mn_m", self.structure_stiffness_mn_m),
             ("loading", self.loading.steepest_mn_m()),
@@ -69,7 +81,7 @@ impl Characteristic {
 }
 
 impl Orifice {
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         let columns = (&self.deflection_mm, &self.resistance_kn_s2_m2);
         check.columns(("deflection_mm", columns.0), ("resistance_kn_s2_m2", columns.1), 1)
     }

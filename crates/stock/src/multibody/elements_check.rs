@@ -1,12 +1,12 @@
 //! What force elements must fulfil.
 
-use crate::check::Check;
-use crate::elements::{
+use super::Wheelset;
+use super::check::{Checked, Checker};
+use super::elements::{
     CentrePlate, Damper, Friction, Rod, RotationalSpring, SideBearer, Spring, Stop,
     TabulatedSpring, Wedge,
 };
-use crate::multibody::Wheelset;
-use crate::multibody_check::{Checked, Checker};
+use files::Check;
 
 /// Greatest stiffness, N/m and N m/rad.
 const STIFFEST: f64 = 1e10;
@@ -168,7 +168,7 @@ impl Checker<'_> {
     fn ends(&self, check: &Check, between: &[String; 2], points: &[[f64; 3]]) -> Checked {
         self.names(check, between)?;
         if points.is_empty() {
-            return Err(check.error("points_m", "[]", "at least one point is needed"));
+            return Err(check.refuse("points_m", "at least one point is needed"));
         }
         for value in points.iter().flatten() {
             check.between("points_m", *value, -50.0, 50.0)?;

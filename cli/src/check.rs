@@ -1,15 +1,15 @@
-//! The command `hotfoot check`.
+//! `hotfoot check`: an FMU against the rules of FMI 2.0, for a role, and against its reference result.
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
+use hotfoot::Import;
+use hotfoot::check::reference::{self, Verdict};
+use hotfoot::check::{self, Severity, rules};
+use hotfoot::roles;
 use miette::{IntoDiagnostic, Result, miette};
 
-use super::{Severity, check, rules};
-use crate::check::reference::{self, Verdict};
-use crate::fmi::Import;
 use crate::supervise;
-use crate::train::roles::{self, Role};
 
 /// Arguments of `hotfoot check`.
 #[derive(Args)]
@@ -28,12 +28,33 @@ pub struct CheckArguments {
     rules: bool,
 }
 
+/// What an FMU does in a run.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Role {
+    /// The train: one degree of freedom a vehicle
+    Longitudinal,
+    /// One vehicle in three dimensions
+    Vehicle,
+    /// One rail's temperature
+    Railheat,
+}
+
+impl From<Role> for roles::Role {
+    fn from(role: Role) -> Self {
+        match role {
+            Role::Longitudinal => Self::Longitudinal,
+            Role::Vehicle => Self::Vehicle,
+            Role::Railheat => Self::Railheat,
+        }
+    }
+}
+
 /// Checks an FMU against the rules of FMI 2.0, for a role, and against its reference result.
 ///
 /// # Errors
 /// When a rule is broken, the FMU does not fit the role, or it gives another result; the error
 /// says all that was found.
-pub fn command(arguments: &CheckArguments) -> Result<()> {
+pub fn check(arguments: &CheckArguments) -> Result<()> {
     if arguments.rules {
         for rule in rules() {
             println!("{:<32} {}", rule.name, rule.wants);
@@ -72,7 +93,7 @@ fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {
 /// The rules that are broken; advice is printed at once, as it makes no FMU wrong.
 fn broken_rules(fmu: &Path) -> Vec<String> {
     let (advice, errors): (Vec<_>, Vec<_>) =
-        check(fmu).into_iter().partition(|finding| finding.severity == Severity::Advice);
+        check::check(fmu).into_iter().partition(|finding| finding.severity == Severity::Advice);
     for finding in advice {
         println!("{finding}");
     }
@@ -82,7 +103,7 @@ fn broken_rules(fmu: &Path) -> Vec<String> {
 /// What the FMU lacks for a role.
 fn unfit(fmu: &Path, role: Role) -> Result<Vec<String>> {
     let import = Import::open(fmu).into_diagnostic()?;
-    let missing = roles::missing(import.interface(), role);
+    let missing = roles::missing(import.interface(), role.into());
     if missing.is_empty() {
         println!("{} can be used as {role:?}", fmu.display());
         return Ok(vec![]);

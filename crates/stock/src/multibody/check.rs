@@ -1,28 +1,36 @@
 //! What a `[multibody]` section must fulfil.
 
-use crate::check::{Check, StockError};
-use crate::multibody::{Body, Multibody, Wheelset};
+use super::{Body, Multibody, Wheelset};
+use files::{Check, Mistake};
 
-pub(crate) type Checked = Result<(), StockError>;
+pub(super) type Checked = Result<(), Mistake>;
+
+impl Multibody {
+    /// Checks the section of a vehicle that has `mass_kg` by its common data.
+    pub(crate) fn check(&self, check: &Check, mass_kg: f64) -> Checked {
+        let checker = Checker::new(self, check)?;
+        checker.masses(mass_kg)?;
+        checker.contact()?;
+        checker.elements()
+    }
+}
 
 /// Checks a section whose bodies and wheelsets have names of their own.
-pub(crate) struct Checker<'a> {
-    pub(crate) multibody: &'a Multibody,
-    pub(crate) check: &'a Check<'a>,
+pub(super) struct Checker<'a> {
+    pub(super) multibody: &'a Multibody,
+    pub(super) check: &'a Check<'a>,
     /// Names of the bodies, then of the wheelsets.
-    pub(crate) names: Vec<&'a str>,
+    pub(super) names: Vec<&'a str>,
 }
 
 impl<'a> Checker<'a> {
     /// Collects the names of bodies and wheelsets.
-    pub fn new(multibody: &'a Multibody, check: &'a Check<'a>) -> Result<Self, StockError> {
+    pub fn new(multibody: &'a Multibody, check: &'a Check<'a>) -> Result<Self, Mistake> {
         if multibody.body.is_empty() {
-            let wanted = "at least one body is needed, the car body first";
-            return Err(check.error("body", "[]", wanted));
+            return Err(check.refuse("body", "at least one body is needed, the car body first"));
         }
         if multibody.wheelset.is_empty() {
-            let wanted = "at least one wheelset is needed";
-            return Err(check.error("wheelset", "[]", wanted));
+            return Err(check.refuse("wheelset", "at least one wheelset is needed"));
         }
         let bodies = multibody.body.iter().map(|body| body.name.as_str());
         let wheelsets = multibody.wheelset.iter().map(|w| w.name.as_str());
@@ -110,7 +118,15 @@ fn inertia(check: &Check, mass: f64, inertia: [f64; 3]) -> Checked {
 
 #[cfg(test)]
 mod tests {
+    use files::Document;
+    use serde::Deserialize;
+
     use super::*;
+
+    #[derive(Deserialize)]
+    struct File {
+        multibody: Multibody,
+    }
 
     const SMALL: &str = r#"
         source = "test"
@@ -136,8 +152,12 @@ mod tests {
     "#;
 
     fn checked(text: &str) -> Checked {
-        let section: Multibody = toml::from_str(text).unwrap();
-        section.check(&Check::new("v.toml").section("multibody"), 1000.0)
+        let document = Document::new(
+            "v.toml",
+            format!("[multibody]\n{}", text.replace("[contact", "[multibody.contact")),
+        );
+        let file: File = document.parse().unwrap();
+        file.multibody.check(&document.check().section("multibody"), 1000.0)
     }
 
     fn message(from: &str, to: &str) -> String {
@@ -153,7 +173,7 @@ mod tests {
     #[test]
     fn wrong_values_are_named_with_key_value_and_remedy() {
         let negative = message("900.0", "-1.0");
-        assert!(negative.starts_with("v.toml: multibody.body[1].mass_kg = -1: must be"));
+        assert!(negative.starts_with("v.toml:5:44: multibody.body[1].mass_kg = -1.0: must be"));
         assert!(message("900.0", "800.0").contains("must add up to the vehicle's mass_kg = 1000"));
         assert!(message("\"frame\", \"axle\"", "\"frame\", \"axel\"").contains("axel"));
         assert!(message("[0.0, 1.0, 0.46]", "[0.0, 1.0, 0.5]").contains("act in the axle"));
@@ -165,7 +185,7 @@ mod tests {
                x_m = 1.0, wheel_radius_m = 0.46, frame = \"frame\" }]",
         );
         let message_of = checked(&behind).unwrap_err().to_string();
-        assert!(message_of.contains("wheelset[2].x_m = 1: must be less than 0"), "{message_of}");
+        assert!(message_of.contains("wheelset[2].x_m = 1.0: must be less than 0"), "{message_of}");
         assert!(message("limit_ratio = 0.4", "limit_ratio = 2.0").contains("creep.limit_ratio"));
     }
 }

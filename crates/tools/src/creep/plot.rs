@@ -4,7 +4,8 @@ use clap::ValueEnum;
 use miette::{Result, bail};
 use plotters::style::RGBColor;
 
-use crate::creep::{CreepArguments, Row};
+use super::arguments::CreepArguments;
+use super::row::Row;
 use crate::plot::{BLACK, BLUE, Curve, Page, Panel, VERMILION};
 
 /// Names of the creepages.
@@ -17,7 +18,7 @@ type Quantity = fn(&Row) -> f64;
 ///
 /// # Errors
 /// When no creepage changes from row to row.
-pub(crate) fn page(arguments: &CreepArguments, rows: &[Row]) -> Result<Page> {
+pub(super) fn page(arguments: &CreepArguments, rows: &[Row]) -> Result<Page> {
     let changes = |&i: &usize| rows.iter().any(|row| row.creepages[i] != rows[0].creepages[i]);
     let Some(axis) = (0..CREEPAGES.len()).find(changes) else {
         bail!("--plot needs a list of creepages that differ, such as --longitudinal 0,0.001,0.002");

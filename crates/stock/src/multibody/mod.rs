@@ -1,18 +1,29 @@
 //! The `[multibody]` section of a vehicle file: bodies, wheelsets, contact, and the lists of force
 //! elements.
 //!
+//! | file | part |
+//! |---|---|
+//! | `elements.rs` | the force elements; `elements_check.rs` checks them |
+//! | `creep.rs` | the creep law |
+//! | `check.rs` | what bodies, wheelsets and contacts must fulfil |
+//! | `profile_files.rs` | profiles that are files of points |
+//!
 //! Points are given in the vehicle at rest on straight level track: x forward from the vehicle's
 //! middle, y to the right of the centre line, and the height above the rails.
 
+mod check;
+mod creep;
+mod elements;
+mod elements_check;
+pub(crate) mod profile_files;
+
 use serde::Deserialize;
 
-use crate::check::{Check, StockError};
-use crate::creep::CreepLaw;
-use crate::elements::{
-    CentrePlate, Damper, Friction, Rod, RotationalSpring, SideBearer, Spring, Stop,
+pub use creep::{CreepLaw, CreepLawKind};
+pub use elements::{
+    CentrePlate, Damper, Direction, Friction, Rod, RotationalSpring, SideBearer, Spring, Stop,
     TabulatedSpring, Wedge,
 };
-use crate::multibody_check::Checker;
 
 /// A vehicle as rigid bodies with springs, dampers and stops between them.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
@@ -135,13 +146,5 @@ impl Multibody {
         let bodies: f64 = self.body.iter().map(|body| body.mass_kg).sum();
         let wheelsets: f64 = self.wheelset.iter().map(|wheelset| wheelset.mass_kg).sum();
         bodies + wheelsets
-    }
-
-    /// Checks the section of a vehicle that has `mass_kg` by its common data.
-    pub(crate) fn check(&self, check: &Check, mass_kg: f64) -> Result<(), StockError> {
-        let checker = Checker::new(self, check)?;
-        checker.masses(mass_kg)?;
-        checker.contact()?;
-        checker.elements()
     }
 }

@@ -2,14 +2,15 @@
 
 use plotters::style::RGBColor;
 
-use crate::contact::{ContactArguments, LoadedContact, Placement};
+use super::arguments::ContactArguments;
+use super::placement::{LoadedContact, Placement};
 use crate::plot::{BLACK, BLUE, Curve, ORANGE, Page, Panel, SKY, VERMILION};
 
 /// Colours of the first contact of a wheel and of its further ones: left, right.
 const COLOURS: [[RGBColor; 2]; 2] = [[BLUE, SKY], [VERMILION, ORANGE]];
 
 /// The page for a wheelset at these placements.
-pub(crate) fn page(arguments: &ContactArguments, placements: &[Placement]) -> Page {
+pub(super) fn page(arguments: &ContactArguments, placements: &[Placement]) -> Page {
     let ContactArguments { wheel, rail, inclination, load, .. } = arguments;
     let title = match *inclination > 0.0 {
         true => format!("{wheel} on {rail} 1:{:.0}, {} kN a wheel", 1.0 / inclination, load / 1e3),

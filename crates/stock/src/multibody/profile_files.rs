@@ -7,15 +7,15 @@
 use std::fs::File;
 use std::path::{Component, Path};
 
-use crate::check::{Check, StockError};
-use crate::multibody::WheelRailContact;
+use super::WheelRailContact;
+use files::{Check, Mistake};
 
 /// Puts the folder `library` before the names of profiles that are files.
 pub(crate) fn find(
     contact: &mut WheelRailContact,
     library: &Path,
     check: &Check,
-) -> Result<(), StockError> {
+) -> Result<(), Mistake> {
     for (key, name) in [("wheel", &mut contact.wheel), ("rail", &mut contact.rail)] {
         let path = Path::new(name.as_str());
         if path.extension().is_none() {

@@ -23,12 +23,12 @@
 //! | a drawbar | `[drawbar]` with its stiffness |
 //! | buffers and screw coupling | the coupling in draft as above, `[buff]` with the same keys and `count` |
 
+use files::{Check, Mistake};
 use serde::Deserialize;
 
-use crate::check::{Check, StockError};
-use crate::draft_gear::{Characteristic, DraftGear, Orifice};
-use crate::force_curve::ForceCurve;
-use crate::wedge::Wedge;
+use super::force_curve::ForceCurve;
+use super::wedge::Wedge;
+use super::{Characteristic, DraftGear, Orifice};
 
 /// Stiffness of an elastic gear's lock over the steepest piece of its curve: any number above one
 /// gives the same force.
@@ -99,10 +99,10 @@ fn one() -> f64 {
 }
 
 impl GearFile {
-    pub(crate) fn compile(self, file: &str) -> Result<DraftGear, StockError> {
-        let check = Check::new(file);
+    /// What the gear does in draft and in buff, if its values are possible.
+    pub(crate) fn compile(self, check: &Check) -> Result<DraftGear, Mistake> {
         let (name, source, draft, buff) = self.parts();
-        let draft = draft.compile(&check)?;
+        let draft = draft.compile(check)?;
         let buff = match buff {
             None => draft.clone(),
             Some(buff) => buff.compile(&check.section("buff"))?,
@@ -112,7 +112,7 @@ impl GearFile {
 }
 
 impl Side {
-    fn compile(self, check: &Check) -> Result<Characteristic, StockError> {
+    fn compile(self, check: &Check) -> Result<Characteristic, Mistake> {
         check.between("count", self.count, 1.0, 4.0)?;
         let damping = self.damping_kn_s_m.unwrap_or_default();
         check.between("damping_kn_s_m", damping, 0.0, 10_000.0)?;
@@ -166,7 +166,7 @@ impl Side {
     }
 
     /// The curve that the file gives, and the stiffness of a drawbar.
-    fn loading_curve(&self, check: &Check) -> Result<(ForceCurve, Option<f64>), StockError> {
+    fn loading_curve(&self, check: &Check) -> Result<(ForceCurve, Option<f64>), Mistake> {
         match (&self.loading, &self.drawbar) {
             (Some(loading), None) => Ok((loading.clone(), None)),
             (None, Some(drawbar)) => {
@@ -178,10 +178,12 @@ impl Side {
                 };
                 Ok((curve, Some(stiffness)))
             }
-            (loading, _) => {
-                let found = if loading.is_some() { "both" } else { "none" };
-                let wanted = "a gear needs either [loading], force over deflection, or [drawbar]";
-                Err(check.error("loading", found, wanted))
+            (Some(_), Some(_)) => {
+                Err(check.refuse("drawbar", "leave either [loading] or [drawbar] out"))
+            }
+            (None, None) => {
+                let what_for = "a gear needs [loading], force over deflection, or [drawbar]";
+                Err(check.missing("loading", what_for))
             }
         }
     }
@@ -193,8 +195,7 @@ impl Side {
         loading: &ForceCurve,
         elastic: bool,
         drawbar: Option<f64>,
-    ) -> Result<(f64, f64), StockError> {
-        let missing = |key: &str, wanted: &str| Err(check.error(key, "none", wanted));
+    ) -> Result<(f64, f64), Mistake> {
         let structure = match (self.structure_stiffness_mn_m, drawbar) {
             (Some(structure), _) => {
                 check.between("structure_stiffness_mn_m", structure, 1.0, 2000.0)?;
@@ -202,8 +203,8 @@ impl Side {
             }
             (None, Some(stiffness)) => stiffness * self.count,
             (None, None) => {
-                let wanted = "needed: the slope beyond the last point, where the gear is solid";
-                return missing("structure_stiffness_mn_m", wanted);
+                let what_for = "the slope beyond the last point, where the gear is solid";
+                return Err(check.missing("structure_stiffness_mn_m", what_for));
             }
         };
         let locked = match self.locked_stiffness_mn_m {
@@ -213,8 +214,8 @@ impl Side {
             }
             None if elastic => ELASTIC_LOCK * structure.max(loading.steepest_mn_m()),
             None => {
-                let wanted = "needed: the slope between the loading and the unloading curve";
-                return missing("locked_stiffness_mn_m", wanted);
+                let what_for = "the slope between the loading and the unloading curve";
+                return Err(check.missing("locked_stiffness_mn_m", what_for));
             }
         };
         Ok((locked, structure))
@@ -223,16 +224,19 @@ impl Side {
 
 #[cfg(test)]
 mod tests {
+    use files::Document;
+
     use super::*;
 
     const LOADING: &str = "[loading]\ndeflection_mm = [0, 10, 30]\nforce_kn = [0, 100, 200]\n";
 
     /// The gear of a file with `keys` before the loading curve and `sections` behind it.
-    fn gear(keys: &str, sections: &str) -> Result<DraftGear, StockError> {
+    fn gear(keys: &str, sections: &str) -> Result<DraftGear, Mistake> {
         let text = format!(
             "name = 'gear'\nsource = 'test'\nstructure_stiffness_mn_m = 50\n{keys}\n{LOADING}{sections}"
         );
-        crate::library::parse::<GearFile>(&text, "gear.toml")?.compile("gear.toml")
+        let document = Document::new("gear.toml", text);
+        document.parse::<GearFile>()?.compile(&document.check())
     }
 
     fn message(keys: &str, sections: &str) -> String {
@@ -243,7 +247,7 @@ mod tests {
     fn an_unloading_curve_above_the_loading_curve_is_refused() {
         let unloading = "[unloading]\ndeflection_mm = [0, 10, 30]\nforce_kn = [0, 120, 200]";
         let message = message("locked_stiffness_mn_m = 100", unloading);
-        assert!(message.starts_with("gear.toml: unloading.force_kn = 120: must not exceed"));
+        assert!(message.contains("unloading.force_kn = 120: must not exceed"));
     }
 
     #[test]
@@ -284,7 +288,10 @@ mod tests {
     #[test]
     fn a_gear_with_friction_needs_its_lock() {
         let message = message("loss_percent = 40", "");
-        assert!(message.contains("locked_stiffness_mn_m = none: needed"), "{message}");
+        assert!(
+            message.contains("locked_stiffness_mn_m is missing: the slope between"),
+            "{message}"
+        );
     }
 
     #[test]

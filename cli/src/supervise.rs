@@ -7,8 +7,6 @@ use std::process::{Command, ExitStatus, Stdio};
 
 use miette::{IntoDiagnostic, Result};
 
-use crate::fmi;
-
 /// Set in the environment of the child.
 const CHILD: &str = "HOTFOOT_CHILD";
 
@@ -17,7 +15,7 @@ const CHILD: &str = "HOTFOOT_CHILD";
 pub fn is_child() -> bool {
     let child = std::env::var_os(CHILD).is_some();
     if child {
-        fmi::watch_crashes();
+        hotfoot::watch_crashes();
         end_with_parent();
     }
     child
