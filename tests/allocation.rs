@@ -10,8 +10,8 @@ use track::TrackFile;
 use vehicle::Vehicle;
 use vehicle::dynamics::Dynamics;
 use vehicle::dynamics::inputs::Inputs;
-use vehicle::track::Line;
 use vehicle::structure::Structure;
+use vehicle::track::Line;
 
 thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
