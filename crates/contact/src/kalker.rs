@@ -36,8 +36,9 @@ pub struct CreepCoefficients {
 }
 
 impl CreepCoefficients {
-    /// The coefficients for the semi-axes ratio a/b (a in the rolling direction) and a Poisson's
-    /// ratio between 0 and 0.5.
+    /// The coefficients for a ratio a/b of semi-axes and a Poisson's ratio between 0 and 0.5.
+    ///
+    /// a lies in the rolling direction.
     pub fn new(a_over_b: f64, poisson_ratio: f64) -> Self {
         let short = a_over_b <= 1.0;
         let ratio = if short { a_over_b } else { 1.0 / a_over_b };

@@ -38,7 +38,7 @@ pub use error::ContactError;
 pub use geometry::conicity::EquivalentConicity;
 pub use geometry::contact_point::{ContactPatch, ContactPoint};
 pub use geometry::pair::ProfilePair;
-pub use geometry::patch_at::{PatchAt, PressedPatch, RowPlace, WheelPlace};
+pub use geometry::patch_at::{PatchAt, PressedPatch, RowPosition, WheelPosition};
 pub use geometry::table::GeometryTable;
 pub use geometry::wheelset::{WheelContact, WheelsetGeometry, wheelset_geometry};
 pub use material::{Material, STEEL};

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `pair.rs` | the dimensions of a wheel over a rail |
 //! | `search.rs` | the quasi-elastic search for the contacts at one placement |
-//! | `lobes.rs` | which parts of the profile touch apart from each other |
+//! | `lobes.rs` | which parts of the profile touch separately |
 //! | `slots.rs` | contacts followed from shift to shift |
 //! | `corners.rs` | floor and wall of a path's corner as contacts of their own |
 //! | `contact_point.rs` | what is known at a contact |

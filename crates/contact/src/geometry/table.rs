@@ -2,7 +2,7 @@
 
 use super::contact_point::ContactPoint;
 use super::pair::ProfilePair;
-use super::patch_at::{PatchAt, RowPlace, WheelPlace};
+use super::patch_at::{PatchAt, RowPosition, WheelPosition};
 use super::row::{STEP, TablePatch};
 use super::search::{Search, Touch};
 use super::{corners, slots};
@@ -110,7 +110,7 @@ impl GeometryTable {
     /// The contact that touches first at a lateral `shift` in m, without yaw. A shift that is not a
     /// number gives the first row.
     pub fn at(&self, shift: f64) -> ContactPoint {
-        let (row, wheel) = (self.row(shift), WheelPlace { shift, ..WheelPlace::default() });
+        let (row, wheel) = (self.row(shift), WheelPosition { shift, ..WheelPosition::default() });
         let patches = (0..self.patches()).filter_map(|patch| self.patch(patch, row, &wheel));
         let real = patches.filter(|patch| patch.point().hertz.stiffness > 0.0);
         let first = real.reduce(|a, b| if b.drop() < a.drop() { b } else { a });
@@ -118,21 +118,27 @@ impl GeometryTable {
         first.unwrap_or_else(|| self.patch_at(0, row, &wheel)).point()
     }
 
-    /// A patch, counted from 0, under a `wheel` whose shift has the place `row` of [`Self::row`];
-    /// nothing where the pair has no such patch.
+    /// A patch, counted from 0, under a `wheel`; nothing where the pair has no such patch.
+    ///
+    /// `row` is that of the wheel's shift, by [`Self::row`].
     #[inline]
-    pub fn patch(&self, patch: usize, row: RowPlace, wheel: &WheelPlace) -> Option<PatchAt<'_>> {
+    pub fn patch(
+        &self,
+        patch: usize,
+        row: RowPosition,
+        wheel: &WheelPosition,
+    ) -> Option<PatchAt<'_>> {
         self.patches[patch].rows[row.index].near.then(|| self.patch_at(patch, row, wheel))
     }
 
     #[inline]
-    fn patch_at(&self, patch: usize, row: RowPlace, wheel: &WheelPlace) -> PatchAt<'_> {
+    fn patch_at(&self, patch: usize, row: RowPosition, wheel: &WheelPosition) -> PatchAt<'_> {
         PatchAt::new(&self.patches[patch], self.begin, row, wheel)
     }
 
-    /// The place of a lateral `shift` in m among the rows.
+    /// Where a lateral `shift` in m lies among the rows.
     #[inline]
-    pub fn row(&self, shift: f64) -> RowPlace {
-        RowPlace::new(shift, self.begin, self.count)
+    pub fn row(&self, shift: f64) -> RowPosition {
+        RowPosition::new(shift, self.begin, self.count)
     }
 }

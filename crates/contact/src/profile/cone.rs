@@ -16,7 +16,7 @@ const FILLET_RADIUS: f64 = 13.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
     ratio: f64,
-    /// Lateral place and height of the fillet's centre, in mm.
+    /// Lateral coordinate and height of the fillet's centre, in mm.
     centre: (f64, f64),
     /// Where the fillet meets the flange face and the tread, in mm.
     fillet: (f64, f64),

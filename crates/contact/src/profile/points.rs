@@ -63,7 +63,7 @@ impl PointProfile {
     }
 
     /// The part of the outline on which a wheel can run: from the highest point both ways as far as the
-    /// lateral place goes on.
+    /// lateral coordinate goes on.
     fn new(name: String, mut points: Vec<(f64, f64)>) -> Self {
         if points.first().map(|p| p.0) > points.last().map(|p| p.0) {
             points.reverse();
@@ -83,7 +83,7 @@ impl PointProfile {
         &self.name
     }
 
-    /// First and last lateral place, in m.
+    /// First and last lateral coordinate, in m.
     pub(super) fn range(&self) -> (f64, f64) {
         let last = self.points.len() - 1;
         (self.points[0].0, self.points[last].0)
@@ -163,7 +163,7 @@ impl PointProfile {
         Self::new(turned.name, moved)
     }
 
-    /// Lateral place of the gauge face `depth` metres below the top, or the gauge side's end above it.
+    /// Lateral coordinate of the gauge face `depth` metres below the top, or the gauge side's end above it.
     pub(super) fn gauge_face(&self, depth: f64) -> f64 {
         let outer = self.points.iter().zip(&self.points[1..]);
         let crossing =

@@ -2,8 +2,7 @@
 //! the Manchester contact benchmark.
 //!
 //! Eight sections, S in mm from the running circle (positive to the field side), z in mm (positive
-//! towards the flange tip). They deviate by at most 1.6e-6 mm from the benchmark's point file
-//! (`reference/vehicle.md` 3.1).
+//! towards the flange tip). They deviate by at most 1.6e-6 mm from the benchmark's point file.
 
 use super::point::ProfilePoint;
 

@@ -46,8 +46,9 @@ impl WheelProfile {
         }
     }
 
-    /// Lateral places between which the profile is given, in m from the running circle, from the
-    /// back of the flange (negative) to the field side (positive).
+    /// Lateral coordinates, in m from the running circle, between which the profile is given.
+    ///
+    /// From the back of the flange (negative) to the field side (positive).
     pub fn range(&self) -> (f64, f64) {
         match self {
             Self::S1002 | Self::Cone(_) => s1002::RANGE,
@@ -55,8 +56,9 @@ impl WheelProfile {
         }
     }
 
-    /// The profile at `lateral` metres from the running circle; outside [`Self::range`] the value
-    /// at its end.
+    /// The profile at `lateral` metres from the running circle.
+    ///
+    /// Outside [`Self::range`] it is the value at its end.
     pub fn at(&self, lateral: f64) -> ProfilePoint {
         match self {
             Self::S1002 => s1002::at(lateral),

@@ -1,4 +1,4 @@
-//! FASTSIM and modified FASTSIM against the curves of CONTACT's examples (reference 4.5 and 4.7).
+//! FASTSIM and modified FASTSIM against the curves of CONTACT's examples (docs/reference/contact.md).
 //!
 //! **On the numbers in the reference.** They are sums over a grid of 48 by 44 elements, with the traction
 //! at the end of each element. That makes forces at small creepage too large (3 % at the first row), and
@@ -212,7 +212,7 @@ fn analytic_fastsim_power_is_force_times_slip() {
     }
 }
 
-/// Lateral creep with spin (reference 4.5): nu 0.28, G 82 GPa, a 8 mm, b 4 mm, 82 kN, mu 0.3, eta -0.000625,
+/// Lateral creep with spin (CONTACT, docs/reference/contact.md): nu 0.28, G 82 GPa, a 8 mm, b 4 mm, 82 kN, mu 0.3, eta -0.000625,
 /// phi 0.625/m: the spin pushes harder than the creep. CONTACT has -0.6074 mu N in lateral force, its
 /// FASTSIM with the parabolic bound -0.6118 on 40 by 40 and -0.6359 on 200 by 200 elements. Tolerance 1.5 % against FASTSIM on the fine grid, and 6 % against the exact theory,
 /// which is what the simplified theory is worth with spin.

@@ -4,7 +4,7 @@ use crate::near;
 use contact::{STEEL, hertz::UnitContact};
 
 /// theta in degrees and the classical coefficients m, n, r, computed independently with exact
-/// elliptic integrals (reference 4.1; printed tables in books differ in the third figure).
+/// elliptic integrals (Johnson, Contact Mechanics, 4.2; printed tables in books differ in the third figure).
 const EXACT: [[f64; 4]; 21] = [
     [2.0, 22.2432, 0.1692, 0.1793],
     [4.0, 13.2925, 0.2189, 0.2631],
@@ -45,7 +45,7 @@ fn benchmark_hertz_exact_table() {
     }
 }
 
-/// CONTACT, Eurosprinter example (reference 4.1): A 0.8, B 0.2814 per metre, N 106.7 kN.
+/// CONTACT, Eurosprinter example (docs/reference/contact.md): A 0.8, B 0.2814 per metre, N 106.7 kN.
 /// Tolerance: the four printed digits; the pressure is of CONTACT's grid, good to 0.1 %.
 #[test]
 fn benchmark_hertz_contact_eurosprinter() {

@@ -3,8 +3,8 @@
 use crate::near;
 use contact::kalker::CreepCoefficients;
 
-/// nu, a/b, C11, C22, C23 interpolated by CONTACT's rule from Kalker 1990, table E.3 (reference 4.3).
-/// Tolerance: one unit in the last digit, as the reference has not always rounded to the nearest.
+/// nu, a/b, C11, C22, C23 interpolated by CONTACT's rule from Kalker 1990, table E.3.
+/// Tolerance: one unit in the last digit, as its print has not always rounded to the nearest.
 #[test]
 fn benchmark_kalker_interpolated() {
     let cases = [

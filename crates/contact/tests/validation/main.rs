@@ -13,8 +13,6 @@
 //! | `polach.rs` | published creep curves, CONTACT |
 //! | `shen_hedrick_elkins.rs` | CONTACT; Kalker's linear forces |
 //! | `properties.rs` | creep forces for any slip |
-//!
-//! "reference" below is the project's collection of published figures, `reference/vehicle.md`.
 
 mod fastsim;
 mod geometry;

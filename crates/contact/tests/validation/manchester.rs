@@ -1,5 +1,5 @@
 //! Manchester contact benchmark A-2.2 (Shackleton and Iwnicki 2006): a wheelset of S1002 on UIC60 at
-//! 1:40, radius 460 mm, displaced sideways with 20 kN on it. All from reference 2.3.
+//! 1:40, radius 460 mm, displaced sideways with 20 kN on it. All in its case A-2.2 (docs/reference/contact.md).
 
 use crate::{near, pair};
 use contact::{GeometryTable, wheelset_geometry};
@@ -49,7 +49,7 @@ const CONTACT: [(f64, f64, Side, Side); 11] = [
     (10.0, -11.26, side(3.4351, 22.5401), side(39.4446, 44.3815)),
 ];
 
-/// Tolerances as reference 2.3 suggests for rigid tables: 0.5 mm in position, with the row of 0.5 mm
+/// Tolerances as befits rigid tables: 0.5 mm in position, with the row of 0.5 mm
 /// left out, where two contacts compete; 0.12 mrad in roll. The difference of the radii follows from
 /// the wheel position by the contact angle: below the flange (to 4 mm) 0.5 mm times 0.1.
 #[test]
@@ -104,7 +104,7 @@ fn benchmark_manchester_two_patches() {
     }
 }
 
-/// (r_R - r_L)/(2 y) at y = 3 mm is 0.168 by the rigid search of reference 2.3 and 0.1648 by the radii
+/// (r_R - r_L)/(2 y) at y = 3 mm is 0.168 by the rigid search of docs/reference/contact.md and 0.1648 by the radii
 /// that CONTACT prints (0.7553 and -0.2334 mm). Tolerance: the difference of the two.
 #[test]
 fn benchmark_manchester_equivalent_conicity() {

@@ -1,6 +1,6 @@
 //! Manchester contact benchmark A-2.2 (Shackleton and Iwnicki 2006): creep forces and friction power of
 //! CONTACT (2025-07-23) for lateral, longitudinal and spin creep together. S1002 on UIC60 at 1:40, 2 m/s,
-//! friction 0.3, yaw 2.4 mrad for each mm of displacement. All from reference 2.3.
+//! friction 0.3, yaw 2.4 mrad for each mm of displacement. All in its case A-2.2 (docs/reference/contact.md).
 //!
 //! The contact ellipses are those of `wheelset_geometry`; normal forces and creepages are CONTACT's, so
 //! that the creep law alone is compared. CONTACT's creepages are rail minus wheel and its forces act on

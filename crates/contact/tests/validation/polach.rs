@@ -30,7 +30,7 @@ fn sum_of_squares(law: &Polach, rows: &[(f64, f64)]) -> f64 {
         .sum()
 }
 
-/// Formula value at eps = 1, 50 kN, mu 0.3, kA 1, kS 0.4: 8408 N (reference 4.6); half a newton.
+/// Formula value at eps = 1, 50 kN, mu 0.3, kA 1, kS 0.4: 8408 N (Polach, Wear 258 (2005) 992, by hand); half a newton.
 #[test]
 fn benchmark_polach_at_eps_one() {
     let patch = ContactPatch { normal_force: 50e3, ..eurosprinter() };
@@ -41,7 +41,7 @@ fn benchmark_polach_at_eps_one() {
     near("force in N", force, 8408.0, 0.5);
 }
 
-/// Modified FASTSIM with falling friction as in CONTACT (reference 4.7, series 4, every second row),
+/// Modified FASTSIM with falling friction as in CONTACT (docs/reference/contact.md, series 4, every second row),
 /// and Polach with the parameters fitted there: 1.9 % rms stated over the 29 points 2 to 30. The 15
 /// rows here are among them, so their sum of squares cannot exceed that of all, 29 x (1.95 %)^2.
 #[test]
@@ -67,7 +67,7 @@ fn benchmark_polach_eurosprinter_modified_fastsim() {
     assert!(error < STATED_SUM_OF_SQUARES, "{error}");
 }
 
-/// CONTACT with a third-body layer and falling friction (reference 4.7, series 2); 1.9 % rms
+/// CONTACT with a third-body layer and falling friction (docs/reference/contact.md, series 2); 1.9 % rms
 /// stated, bound as above.
 #[test]
 fn benchmark_polach_eurosprinter_contact() {
@@ -92,7 +92,7 @@ fn benchmark_polach_eurosprinter_contact() {
     assert!(error < STATED_SUM_OF_SQUARES, "{error}");
 }
 
-/// CONTACT with Coulomb friction (reference 4.7, series 1) against kA = kS = 1: the stated band of
+/// CONTACT with Coulomb friction (docs/reference/contact.md, series 1) against kA = kS = 1: the stated band of
 /// -6.2 to +4.0 %, widened by half of its last digit.
 #[test]
 fn benchmark_polach_eurosprinter_coulomb() {
@@ -116,7 +116,7 @@ fn benchmark_polach_eurosprinter_coulomb() {
     }
 }
 
-/// Spin alone pushes as in CONTACT's row 0 (reference 2.3): on the right wheel 253.6 N to the right.
+/// Spin alone pushes as in CONTACT's row 0 (docs/reference/contact.md): on the right wheel 253.6 N to the right.
 /// Tolerance 15 %: CONTACT finds a patch of two lobes there, the law has an ellipse.
 #[test]
 fn benchmark_polach_spin_force() {
@@ -149,7 +149,7 @@ fn analytic_polach_starts_with_kalker() {
     near("C33", force(0.0, 0.0, spin).spin_moment / moment, 1.0, 1e-3);
 }
 
-/// At w = ln 2/B friction has fallen by half of what it can: 0.7 when A = 0.4 (reference 4.6).
+/// At w = ln 2/B friction has fallen by half of what it can: 0.7 when A = 0.4 (Polach 2005, by hand).
 #[test]
 fn analytic_falling_friction() {
     let friction = Polach::DRY.friction;

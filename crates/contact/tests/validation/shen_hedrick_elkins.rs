@@ -3,7 +3,7 @@
 use crate::{eurosprinter, near};
 use contact::{CreepLaw, FallingFriction, STEEL, SlipVelocity};
 
-/// CONTACT with Coulomb friction 0.33 (reference 4.7, series 1): the stated band of -4.4 to -1.7 % below
+/// CONTACT with Coulomb friction 0.33 (docs/reference/contact.md, series 1): the stated band of -4.4 to -1.7 % below
 /// saturation and 0.1 % in it, widened by half of the last digit.
 #[test]
 fn benchmark_shen_hedrick_elkins_eurosprinter() {

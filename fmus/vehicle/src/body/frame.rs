@@ -81,8 +81,9 @@ impl Placement {
         vector + self.turn.cross(vector)
     }
 
-    /// Components in the placed frame of a vector given in the other one; the transpose of
-    /// [`Self::out`], so that a moment has the same power in both.
+    /// Components in the placed frame of a vector given in the other one.
+    ///
+    /// The transpose of [`Self::out`], so that a moment has the same power in both.
     #[inline]
     pub fn back(&self, vector: &Vector3<f64>) -> Vector3<f64> {
         vector - self.turn.cross(vector)

@@ -27,7 +27,7 @@ pub struct RigidBody {
 /// Where a body is and how it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BodyState {
-    /// Chainage, and displacement to the right and down from the place at rest, m.
+    /// Chainage, and displacement to the right and down from rest, m.
     pub position: Vector3<f64>,
     /// Roll, pitch and yaw against the track, rad; a wheelset has no pitch.
     pub rotation: Vector3<f64>,
@@ -49,7 +49,7 @@ pub struct Wrench {
 /// A body as seen in the vehicle's common frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
-    /// Centre of mass less its place at rest on straight track, m.
+    /// Displacement of the centre of mass from rest on straight track, m.
     pub displacement: Vector3<f64>,
     /// Rotation, rad.
     pub rotation: Vector3<f64>,
@@ -75,17 +75,18 @@ impl BodyState {
         self.velocity.x / self.lengthening(body, frame)
     }
 
-    /// How much faster than its frame a body is that follows the track, as it runs beside and above
-    /// the centre line (eq. 2).
+    /// Speed of a body that follows the track over that of its frame (eq. 2).
+    ///
+    /// It differs from 1 as the body runs beside and above the centre line.
     #[inline]
     pub fn lengthening(&self, body: &RigidBody, frame: &Frame) -> f64 {
-        let [aside, below] = self.place(body);
+        let [aside, below] = self.offset(body);
         1.0 + frame.rotation.y * below - frame.rotation.z * aside
     }
 
     /// Centre of mass to the right of the centre line and below the rails, m.
     #[inline]
-    pub fn place(&self, body: &RigidBody) -> [f64; 2] {
+    pub fn offset(&self, body: &RigidBody) -> [f64; 2] {
         [body.across + self.position.y, self.position.z - body.height]
     }
 
@@ -94,7 +95,7 @@ impl BodyState {
     pub fn rates(&self, body: &RigidBody, frame: &Frame) -> Rates {
         let speed = self.frame_speed(body, frame);
         let turning = frame.rotation * speed;
-        let [aside, below] = self.place(body);
+        let [aside, below] = self.offset(body);
         let mut rotation = self.angular_velocity - turning;
         if body.turns {
             rotation.y = 0.0;
@@ -128,7 +129,7 @@ impl BodyState {
     #[inline]
     pub fn seen(&self, body: &RigidBody, frame: &Frame, placement: &Placement) -> Seen {
         let at_rest = Vector3::new(body.along, body.across, -body.height);
-        let [aside, below] = self.place(body);
+        let [aside, below] = self.offset(body);
         let local = Vector3::new(0.0, aside, below);
         let mut angular_velocity = self.angular_velocity;
         if body.turns {
@@ -150,7 +151,7 @@ impl BodyState {
 
     /// Potential energy in gravity, J, against a body at rest at elevation zero.
     pub fn gravity_energy(&self, body: &RigidBody, frame: &Frame) -> f64 {
-        let [aside, below] = self.place(body);
+        let [aside, below] = self.offset(body);
         let across = aside * frame.gravity.y + below * frame.gravity.z;
         body.mass * (GRAVITY * (frame.track.elevation - body.height) - across)
     }

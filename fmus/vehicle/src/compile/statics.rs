@@ -21,8 +21,10 @@ pub(super) struct Loose {
     pub coordinate: &'static str,
 }
 
-/// Gives every spring the force with which it carries its share of the weight on straight level
-/// track, as unstressed springs would share it: K q = weight with the wheelsets held. Elements
+/// Gives every spring its force at rest on straight level track.
+///
+/// It is its share of the weight as unstressed springs would share it: K q = weight with the wheelsets
+/// held. Elements
 /// whose force at rest is given (tables, wedges, side bearers) carry that; the others the rest.
 ///
 /// # Errors
@@ -85,11 +87,11 @@ fn load(structure: &Structure, free: usize) -> DVector<f64> {
     DVector::from_iterator(6 * free, parts)
 }
 
-/// The static forces of the springs of a vehicle that has sunk as `seen` says.
+/// Sets the springs' forces to those of a vehicle that has sunk as `seen` says.
 fn set_forces(structure: &mut Structure, seen: &[Seen]) {
     let suspension = &mut structure.suspension;
     let between: Vec<_> = suspension.between(seen).collect();
-    let stretch = |at: &Point| between[at.pair].apart(&at.arm);
+    let stretch = |at: &Point| between[at.pair].displacement_at(&at.arm);
     for spring in &mut suspension.springs {
         spring.preload = -spring.stiffness.component_mul(&stretch(&spring.at));
     }
@@ -97,7 +99,7 @@ fn set_forces(structure: &mut Structure, seen: &[Seen]) {
         spring.preload = -spring.stiffness.component_mul(&between[spring.pair].turned);
     }
     for rod in &mut suspension.rods {
-        let stretch = between[rod.at.pair].apart(&(rod.at.arm + rod.line));
+        let stretch = between[rod.at.pair].displacement_at(&(rod.at.arm + rod.line));
         rod.preload = rod.stiffness * stretch.dot(&rod.line.normalize());
     }
     for plate in &mut suspension.centre_plates {
@@ -112,6 +114,6 @@ fn set_forces(structure: &mut Structure, seen: &[Seen]) {
 fn loose(structure: &Structure, stiffness: DMatrix<f64>) -> Loose {
     let eigen = SymmetricEigen::new(stiffness);
     let softest = eigen.eigenvectors.column(eigen.eigenvalues.imin());
-    let place = softest.iamax();
-    Loose { body: structure.bodies[place / 6].name.clone(), coordinate: COORDINATES[place % 6] }
+    let index = softest.iamax();
+    Loose { body: structure.bodies[index / 6].name.clone(), coordinate: COORDINATES[index % 6] }
 }

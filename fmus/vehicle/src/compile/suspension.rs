@@ -133,16 +133,16 @@ impl Suspension {
         }
     }
 
-    /// Points between two bodies, from places in the vehicle file.
+    /// Points between two bodies, from coordinates x, y, height in the vehicle file.
     fn points(
         &mut self,
         bodies: &[RigidBody],
         between: &[String; 2],
-        places: &[[f64; 3]],
+        coordinates: &[[f64; 3]],
     ) -> Vec<Point> {
         let pair = self.pair(bodies, between);
         let first = &bodies[index(bodies, &between[0])];
-        places.iter().map(|place| Point { pair, arm: arm(first, place) }).collect()
+        coordinates.iter().map(|at| Point { pair, arm: arm(first, at) }).collect()
     }
 
     /// Index of the pair of these two bodies.
@@ -162,7 +162,7 @@ fn arm(body: &RigidBody, &[x, y, height]: &[f64; 3]) -> Vector3<f64> {
     Vector3::new(x - body.along, y - body.across, body.height - height)
 }
 
-/// Place of the body with this name; the stock library has checked that there is one.
+/// Index of the body with this name; the stock library has checked that there is one.
 pub(crate) fn index(bodies: &[RigidBody], name: &str) -> usize {
     let found = bodies.iter().position(|body| body.name == name);
     found.expect("the stock library checks the names of bodies")

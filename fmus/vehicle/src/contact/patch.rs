@@ -20,15 +20,15 @@ pub struct Patch {
     pub rows: Rows,
     /// How it moves at the beginning of the step.
     pub motion: ContactMotion,
-    /// Forces then, which all vanish where the wheel rebounds faster than the contact can follow.
+    /// Its forces then; all vanish where the wheel rebounds faster than the contact can follow.
     pub forces: Linearised,
-    /// Place of the contact on the rail head, m from its top, negative towards the gauge side.
+    /// Lateral coordinate on the rail head, m from its top, negative towards the gauge side.
     pub rail_lateral: f64,
     slope: f64,
 }
 
 impl Patch {
-    /// The contact `number` that presses so.
+    /// The contact `number` of the table, pressed by a wheel in this motion.
     #[inline]
     pub fn new(
         number: usize,

@@ -115,8 +115,7 @@ impl Rows {
         }
     }
 
-    /// Adds the `forces` of the contact on the wheelset to `right`, and `step` times their change
-    /// with its velocities to `matrix` (eq. 25).
+    /// Adds the contact's `forces` to `right`, and `step` times their damping to `matrix` (eq. 25).
     #[inline]
     pub fn add(&self, forces: &Linearised, step: f64, matrix: &mut SixBySix, right: &mut Six) {
         let Linearised { normal, normal_damping, creep, .. } = forces;

@@ -22,8 +22,9 @@ pub fn add<const N: usize>(at: [usize; N], row: &[f64; N], factor: f64, vector: 
     }
 }
 
-/// Adds `factor` row rowᵀ to the lower triangle; `at` rises. (Compiled for each row, whose places are
-/// known there; as a call it made a vehicle's step 2 % longer.)
+/// Adds `factor` row rowᵀ to the lower triangle; `at` rises.
+///
+/// It is compiled for each row, whose indices are known there; a call makes a vehicle's step 2 % longer.
 #[inline(always)]
 pub fn add_outer<const N: usize>(
     at: [usize; N],

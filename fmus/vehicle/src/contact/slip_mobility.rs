@@ -33,8 +33,7 @@ impl SlipMobility {
         }
     }
 
-    /// Reduces the secants of `creep` to what counts at the end of a step of `step` seconds; its
-    /// forces stay.
+    /// Reduces the damping of `creep` to what counts at the end of a `step` (s); its forces stay.
     #[inline]
     pub fn reduce(&self, creep: &mut CreepForces, step: f64) {
         let damping = &mut creep.damping;

@@ -21,31 +21,32 @@ pub enum Standing {
     Derailed,
 }
 
-/// A wheel at one place.
+/// A wheel in one position over its rail.
 #[derive(Clone, Debug, Default)]
 pub struct Wheel {
     patches: ArrayVec<Patch, PATCHES>,
     beyond: bool,
-    /// Place on the rail head of the contact that is nearest, where none presses, m.
+    /// Lateral coordinate on the rail head of the nearest contact, where none presses, m.
     nearest: f64,
 }
 
 impl Wheel {
-    /// Finds the contacts of the wheel that moves like this on its rail, and their forces. (Into an
-    /// empty wheel, as copying one took a good part of a step.)
+    /// Finds the contacts of the wheel in this motion, and their forces.
+    ///
+    /// The wheel must be empty: it is filled, as copying one took a good part of a step.
     #[inline]
     pub fn touch(&mut self, table: &GeometryTable, motion: &WheelMotion, creep: &CreepLaw) {
-        let place = motion.place();
-        let row = table.row(place.shift);
+        let position = motion.position();
+        let row = table.row(position.shift);
         self.beyond = row.beyond();
         let mut highest = f64::NEG_INFINITY;
         for number in 0..table.patches() {
-            let Some(mut contact) = table.patch(number, row, &place) else {
+            let Some(mut contact) = table.patch(number, row, &position) else {
                 continue;
             };
-            let sunk = contact.sunk(&place);
+            let sunk = contact.sunk(&position);
             if sunk > 0.0 {
-                let pressed = contact.pressed(&place);
+                let pressed = contact.pressed(&position);
                 self.patches.push(Patch::new(number, &pressed, motion, creep));
             } else if sunk > highest {
                 highest = sunk;
@@ -66,7 +67,7 @@ impl Wheel {
         &mut self.patches
     }
 
-    /// Place on the rail head of the nearest contact of a lifted wheel, m.
+    /// Lateral coordinate on the rail head of the nearest contact of a lifted wheel, m.
     pub fn nearest(&self) -> f64 {
         self.nearest
     }

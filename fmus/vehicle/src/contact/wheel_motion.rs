@@ -1,6 +1,6 @@
 //! How a wheel of a wheelset moves over its rail.
 
-use contact::WheelPlace;
+use contact::WheelPosition;
 
 use super::six::Six;
 use crate::body::BodyState;
@@ -44,7 +44,7 @@ pub struct WheelMotion<'a> {
     pub side: Side,
     /// Its dimensions.
     pub data: &'a WheelData,
-    /// Place of the wheelset, seen from the rail.
+    /// State of the wheelset, seen from the rail.
     pub state: &'a BodyState,
     /// Velocities of the wheelset against the rail.
     pub velocities: &'a Six,
@@ -57,10 +57,10 @@ pub struct WheelMotion<'a> {
 impl WheelMotion<'_> {
     /// Where the wheel is over its rail (eq. 16).
     #[inline]
-    pub fn place(&self) -> WheelPlace {
+    pub fn position(&self) -> WheelPosition {
         let (sign, data, state) = (self.side.sign(), self.data, self.state);
         let roll = sign * state.rotation.x;
-        WheelPlace {
+        WheelPosition {
             shift: sign * state.position.y - data.radius * roll,
             descent: state.position.z + data.half_distance * roll,
             roll,

@@ -5,8 +5,9 @@ use super::end_forces::{ContactHeat, EndForces};
 use super::six::Six;
 use super::wheel::{PATCHES, Standing, Wheel};
 
-/// Friction power that a contact has at least for its weight in a wheel's means, W for each N of
-/// normal force: far below any that heats, so that it counts only where nothing slips.
+/// Least friction power in a contact's weight in a wheel's means, W for each N of normal force.
+///
+/// It is far below any power that heats, so that it counts only where nothing slips.
 const LEAST_POWER: f64 = 1e-9;
 
 /// A wheel with all its contacts at the end of a step.
@@ -28,9 +29,10 @@ pub struct WheelOutput {
 }
 
 impl WheelOutput {
-    /// Becomes the wheel at the end of a step in which its wheelset's velocities change by `change`
-    /// and after which it travels at `speed`; gives the heat by the motion in the step's middle. (In
-    /// place, as copying it took a good part of a step.)
+    /// Becomes the wheel at the end of a step; gives the heat by the motion in the step's middle.
+    ///
+    /// The wheelset's velocities change by `change`, and it travels at `speed` (m/s) afterwards. The
+    /// output is overwritten, as copying it took a good part of a step.
     pub fn update(&mut self, wheel: &Wheel, change: &Six, speed: f64) -> ContactHeat {
         let mut heat = ContactHeat::default();
         let mut total = ContactOutput::default();

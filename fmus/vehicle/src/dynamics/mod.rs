@@ -57,7 +57,7 @@ pub struct Dynamics {
     pub structure: Arc<Structure>,
     /// Where it runs.
     pub line: Arc<Line>,
-    /// Where it is and how it moves; [`Self::restore`] puts another in its place.
+    /// Where it is and how it moves; [`Self::restore`] sets another state.
     pub state: State,
     /// Wheels of each wheelset, left and right, at the end of the last step.
     pub wheels: Vec<[WheelOutput; 2]>,
@@ -98,7 +98,7 @@ impl Dynamics {
         self.locate();
     }
 
-    /// Goes on from another state.
+    /// Continues from another state.
     pub fn restore(&mut self, state: State) {
         self.state = state;
         self.locate();
@@ -141,7 +141,7 @@ impl Dynamics {
         stored
     }
 
-    /// Constants that depend on the length of the step.
+    /// Computes the constants that depend on the length of the step.
     pub(crate) fn prepare(&mut self, step: f64) {
         let scratch = &mut self.scratch;
         if step == scratch.step {
@@ -159,7 +159,7 @@ impl Dynamics {
         self.scratch.step = 0.0;
     }
 
-    /// The track under every body.
+    /// Finds the track under every body.
     pub(crate) fn locate(&mut self) {
         let Scratch { frames, track_index, .. } = &mut self.scratch;
         for (frame, state) in frames.iter_mut().zip(&self.state.bodies) {
@@ -167,8 +167,9 @@ impl Dynamics {
         }
     }
 
-    /// The rails under every wheelset; `moving` is 1, or 0 for rails whose irregularities do not
-    /// move up and down under the wheels.
+    /// Finds where the rails lie under every wheelset, and how they move.
+    ///
+    /// `moving` is 1, or 0 for rails whose irregularities do not move up and down under the wheels.
     pub(crate) fn find_rails(&mut self, moving: f64) {
         let line = &*self.line;
         if line.is_stiff_and_smooth() {
@@ -184,7 +185,7 @@ impl Dynamics {
         }
     }
 
-    /// The deflections of the rails at the end of a step, and what irregularities and support did.
+    /// Brings the rails' deflections to the end of a step, and accounts for their work and heat.
     pub(crate) fn bend_rails(&mut self, step: f64) {
         if self.line.is_stiff_and_smooth() {
             return;

@@ -33,7 +33,7 @@ impl Dynamics {
 
     /// Work of these forces in a step, from the velocity `before` it.
     pub(crate) fn account_outer_forces(&mut self, inputs: &Inputs, step: f64, before: f64) {
-        let way = 0.5 * step * (before + self.velocity());
+        let distance = 0.5 * step * (before + self.velocity());
         let turned = step * self.state.bodies[0].angular_velocity;
         let moved = step * self.state.bodies[0].velocity;
         let mut couplers = 0.0;
@@ -42,7 +42,7 @@ impl Dynamics {
         }
         let account = &mut self.state.account;
         account.couplers += couplers;
-        account.resistance += way * inputs.resistance;
-        account.synchronisation += way * inputs.synchronisation;
+        account.resistance += distance * inputs.resistance;
+        account.synchronisation += distance * inputs.synchronisation;
     }
 }

@@ -41,8 +41,7 @@ pub struct WheelsetStep<'a> {
 }
 
 impl WheelsetStep<'_> {
-    /// Changes the velocities of `state` and the outputs of both wheels; gives the torque with which
-    /// the brake holds the wheelset.
+    /// Changes the velocities of `state` and the outputs of both wheels; gives the brake's torque, N m.
     pub fn run(
         &self,
         state: &mut BodyState,

@@ -19,7 +19,7 @@ const DIFFERENCES: (f64, f64) = (1e-8, 1e-7);
 
 /// A search for the equilibrium at a speed.
 ///
-/// Unknowns are the coordinates of all bodies, with the rotation of a wheelset in place of its
+/// Unknowns are the coordinates of all bodies, with the rotation of a wheelset instead of its
 /// pitch, but without the first body's chainage; equations are the accelerations of all bodies
 /// against the first one's along the track.
 pub(super) struct Search<'a> {
@@ -66,9 +66,10 @@ impl<'a> Search<'a> {
         residual.amax()
     }
 
-    /// Goes along the step until the next step, estimated with the same Jacobian, is shorter; gives
-    /// the residual there. (Accelerations themselves say little: contacts are stiff and soft
-    /// directions count as much.)
+    /// Goes along the step until the next step is shorter; gives the residual there.
+    ///
+    /// The next step is estimated with the same Jacobian. Accelerations themselves say little: contacts
+    /// are stiff, and soft directions count as much.
     fn search_line(
         &mut self,
         step: &DVector<f64>,

@@ -159,8 +159,8 @@ impl Vehicle {
     }
 }
 
-/// Acceleration less gravity of the first body, whose velocity in its frame changes with `rate`, m/s²
-/// (eq. 41).
+/// Acceleration less gravity of the first body, m/s² (eq. 41); `rate` is that of its velocity in its
+/// frame.
 fn less_gravity(dynamics: &Dynamics, rate: Vector3<f64>) -> Vector3<f64> {
     let (body, state) = (&dynamics.structure.bodies[0], &dynamics.state.bodies[0]);
     rate - state.frame_forces(body, &dynamics.scratch.frames[0]).force / body.mass

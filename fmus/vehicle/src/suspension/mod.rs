@@ -98,8 +98,9 @@ impl Suspension {
         self.pairs.iter().map(|pair| pair.between(seen))
     }
 
-    /// Adds the forces of all elements to what passes `between` the pairs, and brings their memory to
-    /// the end of the step; `decay` holds for it and the dampers with stiffness in series.
+    /// Adds the forces of all elements to those `between` the pairs; gives the elements' energy.
+    ///
+    /// Their memory comes to the end of the step, for which each damper's `decay` holds.
     pub fn apply(
         &self,
         between: &mut [Between],

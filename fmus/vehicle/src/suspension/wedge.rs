@@ -70,7 +70,7 @@ mod tests {
     use crate::body::Seen;
     use crate::suspension::pair::Pair;
 
-    /// Force on the side frame after the bolster went a long way down or up again.
+    /// Force on the side frame after the bolster went far down or up again.
     fn vertical(speed: f64) -> f64 {
         let wedge = Wedge {
             at: Point::TEST,

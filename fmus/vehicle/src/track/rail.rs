@@ -1,4 +1,4 @@
-//! The rails under a wheelset: where they lie besides their designed place, and how they move.
+//! The rails under a wheelset: how far they lie off their design, and how they move.
 //!
 //! Irregularities come with the track. An elastic support lets each rail give way at each wheel: a
 //! massless rail on a spring k and a damper c, across and down (eq. 34),
@@ -22,7 +22,7 @@ use crate::energy::Account;
 /// Least slip, m/s, by which the slope of the creep force is estimated.
 const LEAST_SLIP: f64 = 1e-4;
 
-/// Place and velocity of a rail at a wheel against the designed track, across and down.
+/// Displacement and velocity of a rail at a wheel from its design, across and down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RailMotion {
     /// Displacement, m.
@@ -44,10 +44,10 @@ impl RailMotion {
     /// The rail with this irregularity that a wheel meets at `speed`, and this deflection.
     #[inline]
     pub fn new(offset: &RailOffset, speed: f64, deflection: &Deflection) -> Self {
-        let place = Vector2::new(offset.lateral, offset.vertical);
+        let irregularity = Vector2::new(offset.lateral, offset.vertical);
         let slope = Vector2::new(offset.lateral_slope, offset.vertical_slope);
         Self {
-            displacement: place + deflection.displacement,
+            displacement: irregularity + deflection.displacement,
             velocity: speed * slope + deflection.velocity,
         }
     }
@@ -70,7 +70,7 @@ impl RailMotion {
 }
 
 impl Deflection {
-    /// Brings the deflection to the end of a step in which the wheel does what `wheel` says.
+    /// Brings the deflection to the end of a step under the forces of `wheel`.
     pub fn step(
         &mut self,
         support: &Support,

@@ -9,7 +9,7 @@ use vehicle::dynamics::inputs::Inputs;
 use vehicle::structure::{Structure, WheelsetData};
 use vehicle::track::Line;
 
-/// Friction coefficient of the reference set.
+/// Friction coefficient of the locomotive's file.
 pub const FRICTION: f64 = 0.36;
 
 /// Every vehicle with a multibody section of its own.
@@ -38,7 +38,7 @@ pub const SUPPORT: &str = "[support]
     vertical_stiffness_n_m = 60e6
     vertical_damping_n_s_m = 100e3";
 
-/// The reference set.
+/// The locomotive, whose linear behaviour docs/reference/locomotive.md has.
 pub fn locomotive() -> Arc<Structure> {
     from_stock("locomotive-coco-134t")
 }

@@ -1,5 +1,5 @@
 //! Manchester contact benchmark A-2.2 (Shackleton and Iwnicki 2006) with the wheels of the vehicle:
-//! creepages, normal forces and friction power of CONTACT (2025-07-23), from reference 2.3.
+//! creepages, normal forces and friction power of CONTACT (2025-07-23), in its case A-2.2 (docs/reference/contact.md).
 //!
 //! A wheelset of S1002 on UIC60 at 1:40 is held at a displacement and a yaw of 2.4 mrad for each mm and
 //! pulled along at 2 m/s. Its height and roll are those at which each wheel has 10 kN vertically, its

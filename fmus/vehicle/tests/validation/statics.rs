@@ -1,5 +1,5 @@
 //! "Reference set" is the representative Co-Co locomotive of `stock/vehicles`, for which the same
-//! quantities were computed independently (reference/vehicle.md 5.2): loads, modes, weight transfer,
+//! quantities were computed by a separate linear program (docs/reference/locomotive.md): loads, modes, weight transfer,
 //! steady lateral acceleration.
 
 use crate::common::*;
@@ -20,7 +20,7 @@ fn analytic_static_wheel_loads() {
     }
 }
 
-/// Undamped modes with the wheelsets held: independent computation for the reference set, given
+/// Undamped modes with the wheelsets held: separate linear program (docs/reference/locomotive.md), given
 /// with three or four figures; hence 0.2 %.
 #[test]
 fn benchmark_natural_frequencies() {
@@ -50,10 +50,10 @@ fn benchmark_weight_transfer_in_traction() {
     }
 }
 
-/// Steady lateral acceleration of 0.65 m/s²: independent linear computation for the reference set,
+/// Steady lateral acceleration of 0.65 m/s²: separate linear program (docs/reference/locomotive.md),
 /// contacts 0.755 m from the middle; ours is linear here too, with the wheelsets on springs at the
 /// rails. The mean load change is a matter of moments: 0.1 %. Its share between end and middle
-/// axles depends on how the rails hold the wheelsets sideways, which the reference does not say:
+/// axles depends on how the rails hold the wheelsets sideways, which its page does not say:
 /// 3 %. Sway and roll are given with two figures: 3 %.
 #[test]
 fn benchmark_steady_lateral_acceleration() {

@@ -21,7 +21,7 @@ fn analytic_static_loads_of_all_vehicles() {
 }
 
 /// Bounce of the loaded ore wagon on its springs without friction: 1.80 Hz for the car body on
-/// 4 x 4.79 MN/m (reference set); ours has the bolsters' mass and the stiffness of plates and
+/// 4 x 4.79 MN/m (by hand); ours has the bolsters' mass and the stiffness of plates and
 /// adapters too, hence 2 %.
 #[test]
 fn benchmark_bounce_of_the_ore_wagon() {
@@ -32,8 +32,8 @@ fn benchmark_bounce_of_the_ore_wagon() {
     assert_close(bounce.frequency(), 1.80, 2e-2);
 }
 
-/// Linear critical speeds of the reference set over the conicity (independent computation for the
-/// same data and contacts 0.755 m from the middle): within 2 m/s, as issue and reference ask. That
+/// Linear critical speeds of the locomotive over the conicity (separate linear program for the
+/// same data and contacts 0.755 m from the middle): within 2 m/s. That
 /// computation has the yaw dampers without their stiffness in series.
 #[test]
 fn benchmark_critical_speeds() {
@@ -61,7 +61,7 @@ fn benchmark_critical_speeds_with_series_stiffness() {
     }
 }
 
-/// Kalker's coefficients of the reference set's wheel: f11 16.2 MN, f22 14.9 MN, given with three
+/// Kalker's coefficients of the locomotive's wheel: f11 16.2 MN, f22 14.9 MN, given with three
 /// figures: 0.5 %.
 #[test]
 fn benchmark_creep_coefficients() {
