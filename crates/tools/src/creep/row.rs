@@ -7,9 +7,7 @@ use contact::{
     STEEL, SlipVelocity,
 };
 use miette::{Result, ensure, miette};
-use railheat::creep_force::Contact;
-use railheat::flash_temperature::flash_rise;
-use railheat::material::Material;
+use railheat::contact::{Contact, Material, flash_rise};
 
 use super::arguments::{CreepArguments, Law};
 
