@@ -1,6 +1,6 @@
 //! FASTSIM and modified FASTSIM against the curves of CONTACT's examples (docs/reference/contact.md).
 //!
-//! **On the numbers in the reference.** They are sums over a grid of 48 by 44 elements, with the traction
+//! **On the printed numbers.** They are sums over a grid of 48 by 44 elements, with the traction
 //! at the end of each element. That makes forces at small creepage too large (3 % at the first row), and
 //! the foundation loses (1/2) L dq² at every element, so that the power falls short of F xi V: by a quarter
 //! of it at the first row, as the printed numbers themselves show. In the limit of fine grids nothing is
@@ -8,12 +8,13 @@
 //! tests take two steps: `on_grid` is CONTACT's algorithm on CONTACT's grid and gives the printed numbers;
 //! refined, it gives ours.
 
-use crate::{eurosprinter, near};
+use crate::{PAGE, eurosprinter, near};
 use contact::kalker::CreepCoefficients;
 use contact::{
     ContactPatch, CreepLaw, FallingFriction, ModifiedFastsim, Reduction, STEEL, SlipVelocity,
 };
 use std::f64::consts::PI;
+use validation::Row;
 
 const SPEED: f64 = 10.0;
 
@@ -227,14 +228,30 @@ fn benchmark_fastsim_lateral_creep_with_spin() {
     let slip = SlipVelocity { longitudinal: 0.0, lateral: -0.00625, spin: 6.25 };
     let friction = FallingFriction::constant(0.3);
     let laws = [
-        ModifiedFastsim::by_table(Reduction::NONE, friction),
-        ModifiedFastsim::on_line(Reduction::NONE, friction, 20, 100),
+        ("by table", ModifiedFastsim::by_table(Reduction::NONE, friction)),
+        ("on line", ModifiedFastsim::on_line(Reduction::NONE, friction, 20, 100)),
     ];
-    for law in laws {
+    for (name, law) in laws {
         let force = law.force(&patch, &slip, SPEED);
-        let share = force.force.lateral / (0.3 * patch.normal_force);
-        near("lateral force by mu N", share, -0.6359, 0.015 * 0.6359);
-        near("lateral force by mu N", share, -0.6074, 0.06 * 0.6074);
+        let value = force.force.lateral / (0.3 * patch.normal_force);
+        Row {
+            case: &format!("FASTSIM {name}, lateral creep with spin, force over mu N"),
+            value,
+            expected: -0.6359,
+            unit: "1",
+            source: "CONTACT's FASTSIM, 200 x 200, [contact](../reference/contact.md)",
+            tolerance: (0.015 * 0.6359, "grids of the two"),
+        }
+        .holds(&PAGE);
+        Row {
+            case: &format!("FASTSIM {name}, lateral creep with spin, against the exact theory"),
+            value,
+            expected: -0.6074,
+            unit: "1",
+            source: "CONTACT, [contact](../reference/contact.md)",
+            tolerance: (0.06 * 0.6074, "the simplified theory with spin"),
+        }
+        .holds(&PAGE);
     }
 }
 

@@ -1,8 +1,9 @@
 //! Manchester contact benchmark A-2.2 (Shackleton and Iwnicki 2006): a wheelset of S1002 on UIC60 at
-//! 1:40, radius 460 mm, displaced sideways with 20 kN on it. All in its case A-2.2 (docs/reference/contact.md).
+//! 1:40, radius 460 mm, displaced sideways with 20 kN on it. All from CONTACT (docs/reference/contact.md).
 
-use crate::{near, pair};
+use crate::{PAGE, near, pair};
 use contact::{GeometryTable, wheelset_geometry};
+use validation::Row;
 
 const MM: f64 = 1e-3;
 
@@ -110,7 +111,15 @@ fn benchmark_manchester_two_patches() {
 fn benchmark_manchester_equivalent_conicity() {
     let g = wheelset_geometry(&pair("S1002", "UIC60-manchester"), 3.0 * MM, 0.0).unwrap();
     let conicity = g.radius_difference() / (2.0 * 3.0 * MM);
-    near("conicity", conicity, 0.168, 0.0032);
+    Row {
+        case: "Manchester A-2.2, radius difference over 2 y at 3 mm",
+        value: conicity,
+        expected: 0.168,
+        unit: "1",
+        source: "rigid search, [contact](../reference/contact.md)",
+        tolerance: (0.0032, "difference from CONTACT's printed radii"),
+    }
+    .holds(&PAGE);
 }
 
 /// Normal force in N, approach in mm and largest pressure in MPa by CONTACT for the left and the

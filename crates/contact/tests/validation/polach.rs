@@ -1,8 +1,9 @@
 //! Polach's creep law against published curves.
 
-use crate::{eurosprinter, near, pair};
+use crate::{PAGE, eurosprinter, near, pair};
 use contact::{ContactPatch, FallingFriction, GeometryTable, Polach, STEEL, SlipVelocity};
 use std::f64::consts::PI;
+use validation::Row;
 
 fn polach(adhesion: f64, slip: f64, mu0: f64, limit_ratio: f64, decay: f64) -> Polach {
     Polach {
@@ -38,7 +39,15 @@ fn benchmark_polach_at_eps_one() {
     let stiffness = 0.25 * STEEL.shear_modulus * PI * patch.a * patch.b * patch.kalker.c11;
     let creepage = 0.3 * 50e3 / stiffness;
     let force = law.force(&patch, &longitudinal(creepage), 10.0).force.longitudinal;
-    near("force in N", force, 8408.0, 0.5);
+    Row {
+        case: "Polach, eps 1, kA 1, kS 0.4, 50 kN, mu 0.3",
+        value: force,
+        expected: 8408.0,
+        unit: "N",
+        source: "Polach, Wear 258 (2005) 992, by hand",
+        tolerance: (0.5, "four figures"),
+    }
+    .holds(&PAGE);
 }
 
 /// Modified FASTSIM with falling friction as in CONTACT (docs/reference/contact.md, series 4, every second row),
@@ -124,7 +133,15 @@ fn benchmark_polach_spin_force() {
     let law = polach(1.0, 1.0, 0.3, 1.0, 0.0);
     let slip = SlipVelocity { longitudinal: 0.0, lateral: 0.0, spin: -2.0 * 0.06302 };
     let force = law.force(&table.at(0.0).patch(9997.0), &slip, 2.0);
-    near("lateral force in N", force.force.lateral, 253.6, 0.15 * 253.6);
+    Row {
+        case: "Polach, spin alone, lateral force",
+        value: force.force.lateral,
+        expected: 253.6,
+        unit: "N",
+        source: "CONTACT, Manchester A-2.2, [contact](../reference/contact.md)",
+        tolerance: (0.15 * 253.6, "two lobes there, an ellipse here"),
+    }
+    .holds(&PAGE);
 }
 
 /// Small creepages give Kalker's linear forces, with spin where it is small against them. The part of

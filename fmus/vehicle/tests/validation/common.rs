@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use track::TrackFile;
+pub use validation::{Page, Row};
 use vehicle::dynamics::Dynamics;
 use vehicle::dynamics::inputs::Inputs;
 use vehicle::structure::{Structure, WheelsetData};
@@ -157,6 +158,16 @@ pub fn rolling(data: &WheelsetData) -> (f64, f64) {
 pub fn half_rail_distance(data: &WheelsetData) -> f64 {
     data.table.pair().rail_top()
 }
+
+/// The page that has the table of all comparisons with numbers.
+pub const PAGE: Page = Page {
+    path: "docs/validation/vehicle.md",
+    text: include_str!("../../../../docs/validation/vehicle.md"),
+};
+
+/// Source of what was computed for the locomotive besides this model.
+pub const LINEAR_PROGRAM: &str =
+    "separate linear program, [locomotive](../reference/locomotive.md)";
 
 /// Within a relative tolerance.
 #[track_caller]
