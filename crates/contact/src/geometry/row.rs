@@ -182,3 +182,38 @@ fn linear(touch: &Touch, light: &UnitContact, loaded_root: f64) -> [f64; LINEAR]
         kalker.c33,
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cubic with the values and slopes of x³ at both ends of a row is x³ between them.
+    #[test]
+    fn analytic_a_cubic_is_met_exactly() {
+        let (p, q) = (2.0 * STEP, 3.0 * STEP);
+        let cubic = Cubic::new((p.powi(3), 3.0 * p * p), (q.powi(3), 3.0 * q * q));
+        for t in [0.0, 0.3, 0.5, 1.0] {
+            let x = p + t * STEP;
+            let (value, slope) = cubic.at(t);
+            assert!((value / x.powi(3) - 1.0).abs() < 1e-12);
+            assert!((slope / (3.0 * x * x) - 1.0).abs() < 1e-12);
+            let [second, third] = cubic.bends(t);
+            assert!((second / (6.0 * x) - 1.0).abs() < 1e-9 && (third / 6.0 - 1.0).abs() < 1e-9);
+        }
+    }
+
+    /// With slopes by Fritsch and Butland the curve through a step stays between its values.
+    #[test]
+    fn property_monotone_values_stay_monotone() {
+        let values = [0.0, 0.0, 1.0, 1.2, 1.2, 0.4];
+        let nodes = nodes(values.into_iter(), monotone);
+        for pair in nodes.windows(2) {
+            let cubic = Cubic::new(pair[0], pair[1]);
+            let (low, high) = (pair[0].0.min(pair[1].0), pair[0].0.max(pair[1].0));
+            for i in 0..=20 {
+                let value = cubic.value(f64::from(i) / 20.0);
+                assert!((low - 1e-12..=high + 1e-12).contains(&value), "{value} in {pair:?}");
+            }
+        }
+    }
+}

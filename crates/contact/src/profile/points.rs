@@ -119,10 +119,10 @@ impl PointProfile {
                 1e3 * end
             )));
         }
-        if self.place_of(|a, b| a > b) >= 0.0 {
+        if self.lateral_of(|a, b| a > b) >= 0.0 {
             return Err(self.wrong(
-                "the lowest point, the tip of the flange, must lie at a negative place: places count \
-                 towards the field side and heights downwards",
+                "the lowest point, the tip of the flange, must lie at a negative lateral coordinate, which \
+                 counts towards the field side; heights count downwards",
             ));
         }
         let level = self.at(0.0).height;
@@ -136,7 +136,7 @@ impl PointProfile {
     /// When its highest point is an end.
     pub(super) fn of_rail(self) -> Result<Self, ContactError> {
         let (begin, end) = self.range();
-        let top = self.place_of(|a, b| a < b);
+        let top = self.lateral_of(|a, b| a < b);
         if top <= begin || top >= end {
             return Err(self.wrong(
                 "the highest point is an end of the head: heights count downwards, and both sides of \
@@ -146,8 +146,8 @@ impl PointProfile {
         Ok(self)
     }
 
-    /// Place of the point that `beats` all others in height.
-    fn place_of(&self, beats: impl Fn(f64, f64) -> bool) -> f64 {
+    /// Lateral coordinate of the point that `beats` all others in height.
+    fn lateral_of(&self, beats: impl Fn(f64, f64) -> bool) -> f64 {
         let best = self.points.iter().reduce(|a, b| if beats(b.1, a.1) { b } else { a });
         best.map_or(0.0, |point| point.0)
     }

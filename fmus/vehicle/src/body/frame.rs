@@ -45,7 +45,7 @@ impl Frame {
         Self { track, cant: (sin, cos), rotation, gravity }
     }
 
-    /// Where another frame, `distance` metres ahead of this one, lies in this one (eqs 6, 7).
+    /// Where another frame, `distance` metres ahead of this one, lies in this one (eq. 6, 7).
     #[inline]
     pub fn placement(&self, other: &Self, distance: f64) -> Placement {
         let (here, there) = (&self.track, &other.track);

@@ -110,7 +110,7 @@ impl BodyState {
         }
     }
 
-    /// Gravity and the inertia forces of the moving frame (eqs 3 to 5).
+    /// Gravity and the inertia forces of the moving frame (eq. 3 to 5).
     #[inline]
     pub fn frame_forces(&self, body: &RigidBody, frame: &Frame) -> Wrench {
         let turning = frame.rotation * self.frame_speed(body, frame);
@@ -125,7 +125,7 @@ impl BodyState {
         Wrench { force, moment: -axes.cross(&momentum) }
     }
 
-    /// The body in the common frame, in which its own frame has this placement (eqs 8, 9).
+    /// The body in the common frame, in which its own frame has this placement (eq. 8, 9).
     #[inline]
     pub fn seen(&self, body: &RigidBody, frame: &Frame, placement: &Placement) -> Seen {
         let at_rest = Vector3::new(body.along, body.across, -body.height);
@@ -163,5 +163,81 @@ impl Wrench {
     pub fn add(&mut self, force: &Vector3<f64>, arm: &Vector3<f64>) {
         self.force += force;
         self.moment += arm.cross(force);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use track::TrackPoint;
+
+    use super::*;
+
+    fn body(turns: bool) -> RigidBody {
+        RigidBody {
+            name: "body".into(),
+            mass: 1000.0,
+            inertia: Vector3::new(500.0, 80.0, 600.0),
+            along: 2.0,
+            across: 0.1,
+            height: 1.5,
+            turns,
+        }
+    }
+
+    /// A right-hand curve of 500 m with a cant of 0.05 rad.
+    fn curve() -> Frame {
+        Frame::new(TrackPoint { curvature: 1.0 / 500.0, cant_angle: 0.05, ..TrackPoint::default() })
+    }
+
+    fn moving() -> BodyState {
+        BodyState {
+            position: Vector3::new(100.0, 0.02, -0.01),
+            rotation: Vector3::new(0.01, 0.0, -0.02),
+            velocity: Vector3::new(20.0, 0.3, -0.1),
+            angular_velocity: Vector3::new(0.02, -40.0, 0.05),
+        }
+    }
+
+    /// The inertia forces of the moving frame do no work; what is left is that of gravity.
+    #[test]
+    fn property_inertia_forces_do_no_work() {
+        let (frame, state) = (curve(), moving());
+        for turns in [true, false] {
+            let body = body(turns);
+            let force = state.frame_forces(&body, &frame).force;
+            let power = force.dot(&state.velocity);
+            let gravity = body.mass * frame.gravity.dot(&state.velocity);
+            assert!((power - gravity).abs() < 1e-9 * body.mass * 400.0);
+        }
+    }
+
+    /// A body that follows a level curve of 500 m at 20 m/s needs m v²/R = 800 N to the inside; its frame
+    /// is slower than a body on the outside.
+    #[test]
+    fn analytic_centrifugal_force_and_speed_of_the_frame() {
+        let flat = Frame::new(TrackPoint { curvature: 1.0 / 500.0, ..TrackPoint::default() });
+        let body = RigidBody { across: 0.0, ..body(false) };
+        let velocity = Vector3::new(20.0, 0.0, 0.0);
+        let state = BodyState { velocity, ..BodyState::default() };
+        assert!((state.frame_forces(&body, &flat).force.y + 800.0).abs() < 1e-9);
+        let mut outside = state;
+        outside.position.y = -1.0;
+        assert!((outside.frame_speed(&body, &flat) - 20.0 / 1.002).abs() < 1e-12);
+    }
+
+    /// A body at rest is where its vehicle file has it: no displacement in the common frame.
+    #[test]
+    fn analytic_a_body_at_rest_is_not_displaced() {
+        let placement = Frame::default().placement(&Frame::default(), 2.0);
+        let seen = BodyState::default().seen(&body(false), &Frame::default(), &placement);
+        assert!(seen.displacement.norm() < 1e-15 && seen.rotation.norm() < 1e-15);
+    }
+
+    /// Force times arm is the moment: 3 N to the right, 2 m ahead, turns to the right.
+    #[test]
+    fn analytic_a_force_at_an_arm() {
+        let mut wrench = Wrench::default();
+        wrench.add(&Vector3::new(0.0, 3.0, 0.0), &Vector3::new(2.0, 0.0, 0.0));
+        assert_eq!(wrench.moment, Vector3::new(0.0, 0.0, 6.0));
     }
 }

@@ -178,3 +178,50 @@ fn wheelsets(
     }
     Ok(wheelsets)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    fn vehicle(name: &str) -> stock::Vehicle {
+        let stock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../stock");
+        stock::Library::open(stock).unwrap().vehicle(name).unwrap()
+    }
+
+    /// Bodies have the mass of the vehicle, wheels carry it, and drive and brake are shared out whole.
+    #[test]
+    fn property_masses_loads_and_shares_add_up() {
+        for name in
+            ["locomotive-coco-134t", "manchester-vehicle-1", "wagon-ore-40t", "wagon-ore-40t-empty"]
+        {
+            let vehicle = vehicle(name);
+            let structure = Structure::new(&vehicle).unwrap();
+            let near = |found: f64, expected: f64| {
+                assert!((found / expected - 1.0).abs() < 1e-6, "{name}: {found}, {expected}");
+            };
+            near(structure.mass(), vehicle.mass_kg);
+            let loads = structure.wheelsets.iter().map(|data| 2.0 * data.static_wheel_load);
+            near(loads.sum(), vehicle.mass_kg * crate::body::frame::GRAVITY);
+            near(structure.wheelsets.iter().map(|data| data.brake_share).sum(), 1.0);
+            let traction: f64 = structure.wheelsets.iter().map(|data| data.traction_share).sum();
+            assert!(traction == 0.0 || (traction - 1.0).abs() < 1e-12, "{name}: {traction}");
+        }
+    }
+
+    #[test]
+    fn equal_vehicles_share_one_structure() {
+        let first = Structure::shared(&vehicle("wagon-ore-40t")).unwrap();
+        let second = Structure::shared(&vehicle("wagon-ore-40t")).unwrap();
+        assert!(Arc::ptr_eq(&first, &second));
+    }
+
+    #[test]
+    fn a_vehicle_without_bodies_is_refused_by_name() {
+        let mut vehicle = vehicle("wagon-ore-40t");
+        vehicle.multibody = None;
+        let message = Structure::new(&vehicle).unwrap_err().to_string();
+        assert!(message.contains(&vehicle.name) && message.contains("[multibody]"), "{message}");
+    }
+}

@@ -46,3 +46,29 @@ pub struct ContactHeat {
     /// By damping.
     pub damping: f64,
 }
+
+#[cfg(test)]
+mod tests {
+    use contact::{CreepDamping, CreepForces};
+
+    use super::*;
+
+    /// More traction slip raises the driving force, more lateral slip the force against it, and a faster
+    /// approach the normal force; the heat is what force and moment take from the slip.
+    #[test]
+    fn analytic_forces_after_a_change_of_motion() {
+        let force = TangentialForce { longitudinal: 1000.0, lateral: -200.0 };
+        let damping = CreepDamping { longitudinal: 1e5, lateral: 2e5 };
+        let creep = CreepForces { force, damping, spin_moment: 5.0, ..CreepForces::default() };
+        let forces =
+            Linearised { normal: 1e5, normal_damping: 1e4, creep, ..Linearised::default() };
+        let slip = SlipVelocity { longitudinal: 1e-3, lateral: 2e-3, spin: 0.0 };
+        let end = EndForces::new(&forces, &ContactMotion { slip, approach: 0.01 });
+        assert!((end.creep.longitudinal - 1100.0).abs() < 1e-9);
+        assert!((end.creep.lateral + 600.0).abs() < 1e-9);
+        assert!((end.normal - 100_100.0).abs() < 1e-9);
+        let slip = SlipVelocity { longitudinal: 0.01, lateral: 0.02, spin: -0.1 };
+        // 11 W along, 12 W across, 0.5 W about the normal.
+        assert!((end.heat(&slip) - 23.5).abs() < 1e-12, "{} W", end.heat(&slip));
+    }
+}

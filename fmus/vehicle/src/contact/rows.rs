@@ -155,3 +155,98 @@ impl ContactMotion {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use contact::{GeometryTable, ProfilePair, RailProfile, TangentialForce, WheelProfile};
+
+    use super::*;
+    use crate::body::BodyState;
+    use crate::contact::{Side, WheelData};
+
+    const RADIUS: f64 = 0.46;
+
+    /// Rows of every contact of a wheel of S1002 on 60E1 that stands like this, 0.1 mm pressed.
+    fn rows(side: Side, lateral: f64, yaw: f64) -> Vec<(Rows, f64)> {
+        let pair = ProfilePair::standard_gauge(
+            WheelProfile::S1002,
+            RailProfile::Rail60E1,
+            1.0 / 40.0,
+            RADIUS,
+        );
+        let table = GeometryTable::shared(&pair).unwrap();
+        let half_distance = pair.running_circle();
+        let data = WheelData { radius: RADIUS, half_distance, damping: 0.0 };
+        let mut state = BodyState::default();
+        (state.position.y, state.rotation.z) = (lateral, yaw);
+        let table_row = table.row(side.sign() * lateral);
+        state.position.z = table.at(side.sign() * lateral).drop + 1e-4;
+        let motion = WheelMotion {
+            side,
+            data: &data,
+            state: &state,
+            velocities: &Six::default(),
+            speed: 10.0,
+            turning: 0.0,
+        };
+        let position = motion.position();
+        let contacts = (0..table.patches()).filter_map(|i| table.patch(i, table_row, &position));
+        contacts
+            .map(|contact| contact.pressed(&position))
+            .filter(|pressed| pressed.approach > 0.0)
+            .map(|pressed| {
+                let change = pressed.point.radius_change;
+                let radius = RADIUS + change + pressed.approach * pressed.point.cos_angle;
+                (Rows::new(&pressed, &motion), radius)
+            })
+            .collect()
+    }
+
+    /// A wheelset that rolls at v with v/r does not slip; one that turns 1 % faster has 1 % of v as
+    /// longitudinal slip, positive as it drives, and a braked one that of the other sign.
+    #[test]
+    fn analytic_longitudinal_slip_is_positive_in_traction() {
+        for side in Side::BOTH {
+            let (rows, radius) = rows(side, 0.0, 0.0)[0];
+            for share in [0.0, 0.01, -0.01] {
+                let turning = -10.0 / radius * (1.0 + share);
+                let slip = rows.motion(&[10.0, 0.0, 0.0, 0.0, turning, 0.0]).slip;
+                assert!((slip.longitudinal - 10.0 * share).abs() < 1e-12, "{slip:?}");
+                assert!(slip.lateral.abs() < 1e-12);
+            }
+        }
+    }
+
+    /// A wheelset yawed to the right by ψ that rolls along the track slips to the left by ψ v.
+    #[test]
+    fn analytic_yaw_gives_lateral_slip() {
+        let (rows, radius) = rows(Side::Right, 0.0, 2e-3)[0];
+        let slip = rows.motion(&[10.0, 0.0, 0.0, 0.0, -10.0 / radius, 0.0]).slip;
+        // But for the contact angle of some 1.5 degrees.
+        assert!((slip.lateral + 0.02).abs() < 5e-5, "{slip:?}");
+    }
+
+    /// The forces of a contact do as much work on its wheelset as they do at slip and approach, on
+    /// treads and flanges, with yaw and without. Rounding.
+    #[test]
+    fn property_forces_and_slip_have_the_same_power() {
+        let velocities = [10.0, 0.03, -0.01, 0.02, -21.5, 0.05];
+        let force = TangentialForce { longitudinal: 7e3, lateral: -4e3 };
+        let creep = CreepForces { force, spin_moment: 30.0, ..CreepForces::default() };
+        let forces = Linearised { normal: 9e4, creep, ..Linearised::default() };
+        let mut contacts = 0;
+        for (side, lateral) in [(Side::Left, 0.0), (Side::Right, 4e-3), (Side::Right, 7e-3)] {
+            for (rows, _) in rows(side, lateral, 5e-3) {
+                let mut wrench = Six::default();
+                rows.add(&forces, 0.0, &mut Default::default(), &mut wrench);
+                let power: f64 = wrench.iter().zip(velocities).map(|(f, v)| f * v).sum();
+                let ContactMotion { slip, approach } = rows.motion(&velocities);
+                let expected = -7e3 * slip.longitudinal - 4e3 * slip.lateral + 30.0 * slip.spin
+                    - 9e4 * approach;
+                assert!((power - expected).abs() < 1e-12 * 9e4 * 10.0, "{power} W, {expected} W");
+                contacts += 1;
+            }
+        }
+        assert!(contacts >= 3, "{contacts} contacts press");
+    }
+}

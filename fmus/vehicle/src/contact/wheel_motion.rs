@@ -68,3 +68,33 @@ impl WheelMotion<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Equation 16 by hand: a wheelset 3 mm to the right and 1 mm down, rolled by 2 mrad with its right
+    /// side down, on wheels of 0.5 m at 0.75 m from the middle.
+    #[test]
+    fn analytic_position_of_both_wheels() {
+        let mut state = BodyState::default();
+        (state.position.y, state.position.z) = (3e-3, 1e-3);
+        (state.rotation.x, state.rotation.z) = (2e-3, 4e-3);
+        let data = WheelData { radius: 0.5, half_distance: 0.75, damping: 0.0 };
+        for (side, shift, descent) in [(Side::Left, -2e-3, -0.5e-3), (Side::Right, 2e-3, 2.5e-3)] {
+            let motion = WheelMotion {
+                side,
+                data: &data,
+                state: &state,
+                velocities: &Six::default(),
+                speed: 0.0,
+                turning: 0.0,
+            };
+            let position = motion.position();
+            assert!((position.shift - shift).abs() < 1e-15);
+            assert!((position.descent - descent).abs() < 1e-15);
+            assert!((position.roll - side.sign() * 2e-3).abs() < 1e-15);
+            assert!((position.yaw_squared - 16e-6).abs() < 1e-18);
+        }
+    }
+}

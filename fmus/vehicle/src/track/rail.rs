@@ -127,3 +127,59 @@ fn creep_slope(wheel: &WheelOutput, speed: f64) -> f64 {
     let slip = (creepage * speed.abs()).max(LEAST_SLIP);
     wheel.total.force.longitudinal.hypot(wheel.total.force.lateral) / slip
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SUPPORT: Support = Support { stiffness: [25e6, 60e6], damping: [50e3, 100e3] };
+
+    /// A wheel that pushes its rail down and to the left without changing with its motion.
+    fn wheel() -> WheelOutput {
+        WheelOutput { guiding: 10e3, vertical: 100e3, ..WheelOutput::default() }
+    }
+
+    /// Under a constant force the deflection is F/k (1 - exp(-k t/c)) (equation 34); at rest F/k.
+    /// Tolerance: steps of 0.01 ms against time constants of 1.7 and 2 ms.
+    #[test]
+    fn analytic_deflection_under_a_constant_force() {
+        let (mut deflection, mut account) = (Deflection::default(), Account::default());
+        let step = 1e-5;
+        for _ in 0..200 {
+            deflection.step(&SUPPORT, &wheel(), 10.0, step, &mut account);
+        }
+        for (axis, force) in [(0, -10e3), (1, 100e3)] {
+            let (k, c) = (SUPPORT.stiffness[axis], SUPPORT.damping[axis]);
+            let expected = force / k * (1.0 - (-k * 2e-3 / c).exp());
+            let found = deflection.displacement[axis];
+            assert!((found / expected - 1.0).abs() < 0.01, "{found} m, expected {expected} m");
+        }
+        let rest = Deflection::at_rest(&SUPPORT, &wheel()).displacement;
+        assert!((rest - Vector2::new(-10e3 / 25e6, 100e3 / 60e6)).norm() < 1e-15);
+    }
+
+    /// Work of the force less what the spring stores is the heat in the damper.
+    #[test]
+    fn property_the_support_accounts_for_all_energy() {
+        let (mut deflection, mut account) = (Deflection::default(), Account::default());
+        let (mut work, force) = (0.0, Vector2::new(-10e3, 100e3));
+        for _ in 0..100 {
+            let before = deflection;
+            deflection.step(&SUPPORT, &wheel(), 10.0, 1e-3, &mut account);
+            work += force.dot(&(deflection.displacement - before.displacement));
+        }
+        let stored = deflection.elastic_energy(&SUPPORT);
+        assert!((work - stored - account.track_heat).abs() < 1e-9 * work, "{work} J");
+    }
+
+    /// A wheelset is seen from its rail, and moves against it.
+    #[test]
+    fn analytic_a_displaced_rail() {
+        let offset = RailOffset { lateral: 2e-3, vertical: -1e-3, ..RailOffset::default() };
+        let deflection = Deflection { velocity: Vector2::new(0.1, 0.2), ..Deflection::default() };
+        let rail = RailMotion::new(&offset, 20.0, &deflection);
+        let seen = rail.seen_from(&BodyState::default()).position;
+        assert_eq!([seen.y, seen.z], [-2e-3, 1e-3]);
+        assert_eq!(rail.against(&[1.0; 6]), [1.0, 0.9, 0.8, 1.0, 1.0, 1.0]);
+    }
+}

@@ -1,5 +1,5 @@
 //! Forces between a wheel and its rail as acceptance tests judge them (EN 14363): Y, Q, their quotient,
-//! and wheel unloading (eqs 38 to 40).
+//! and wheel unloading (eq. 38 to 40).
 
 use crate::contact::{Side, WheelOutput};
 
