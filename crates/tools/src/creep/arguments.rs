@@ -48,14 +48,14 @@ pub struct CreepArguments {
     /// Speed, m/s
     #[arg(long, default_value_t = 10.0)]
     pub(super) speed: f64,
-    /// Longitudinal creepages: slip of the wheel on the rail over the speed. All forces are those on
-    /// the wheel, and oppose the slip
+    /// Longitudinal creepages, positive in traction: speed of the rim less the speed, over the speed.
+    /// All forces are those on the wheel; in traction the longitudinal one is positive
     #[arg(long, value_delimiter = ',', default_value = "0", allow_hyphen_values = true)]
     pub(super) longitudinal: Vec<f64>,
-    /// Lateral creepages
+    /// Lateral creepages, positive where the wheel slips to the right; the force opposes them
     #[arg(long, value_delimiter = ',', default_value = "0", allow_hyphen_values = true)]
     pub(super) lateral: Vec<f64>,
-    /// Spin creepages, 1/m
+    /// Spin creepages, 1/m, positive about the vertical axis down
     #[arg(long, value_delimiter = ',', default_value = "0", allow_hyphen_values = true)]
     pub(super) spin: Vec<f64>,
     /// Draw the values over the creepage into this SVG file instead of printing them

@@ -10,7 +10,7 @@ mod arguments;
 mod plot;
 mod row;
 
-use contact::CreepForces;
+use contact::{CreepForces, TangentialForce};
 use miette::{Result, ensure};
 
 pub use arguments::CreepArguments;
@@ -55,7 +55,8 @@ fn csv(rows: &[Row]) -> String {
          friction_power_w,flash_temperature_k\n",
     );
     for Row { creepages: [xi, eta, phi], forces, flash } in rows {
-        let CreepForces { longitudinal, lateral, spin_moment, friction_power, .. } = forces;
+        let CreepForces { force, spin_moment, friction_power, .. } = forces;
+        let TangentialForce { longitudinal, lateral } = force;
         text += &format!(
             "{xi},{eta},{phi},{longitudinal:.3},{lateral:.3},{spin_moment:.4},\
              {friction_power:.4},{flash:.3}\n"

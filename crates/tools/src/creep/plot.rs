@@ -44,7 +44,10 @@ pub(super) fn page(arguments: &CreepArguments, rows: &[Row]) -> Result<Page> {
         panels: vec![
             panel(
                 "creep force on the wheel in N",
-                &[(BLUE, |row| row.forces.longitudinal), (VERMILION, |row| row.forces.lateral)],
+                &[
+                    (BLUE, |row| row.forces.force.longitudinal),
+                    (VERMILION, |row| row.forces.force.lateral),
+                ],
             ),
             panel("friction power in W", &[(BLACK, |row| row.forces.friction_power)]),
             panel("spin moment on the wheel in N m", &[(BLACK, |row| row.forces.spin_moment)]),

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::pair::Between;
 
 /// A spring between the rotations of two bodies.
