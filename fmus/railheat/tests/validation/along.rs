@@ -16,7 +16,7 @@ fn model(exchange: Exchange, interval: f64) -> EnergyModel {
     EnergyModel::new(parameters, &[1], &NIGHT, 0.0).unwrap()
 }
 
-/// A wheel that spins on one place.
+/// A wheel that spins without moving.
 fn spinning(power: f64) -> Vec<Wheel> {
     vec![Wheel { speed: 0.0, friction_power: power, ..wheel(2.01) }]
 }
@@ -73,8 +73,8 @@ fn property_along_second_order_in_the_step() {
     assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.2), "{orders:?}");
 }
 
-/// V17: beside a place that is kept warm the excess falls as exp(-x/l) with l = √(k A/(h P)), 0.174 m at
-/// h = 15 all round with the reference's area and perimeter (1 % of area to ours). In the section's slowest mode it is
+/// V17: beside rail that is kept warm the excess falls as exp(-x/l) with l = √(k A/(h P)), 0.174 m at
+/// h = 15 all round with the area and perimeter of `docs/reference/section.md` (1 % of area to ours). In the section's slowest mode it is
 /// √(α/λ) exactly, but for elements of 20 mm: (0.02/l)²/24 = 0.05 %; 0.9 to 1.1 m aside the next mode, e^-4 of the
 /// slowest there, holds next to no heat.
 #[test]

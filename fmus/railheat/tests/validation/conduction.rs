@@ -42,10 +42,10 @@ fn analytic_slab_impulse_converges_with_second_order() {
         for i in 0..3 {
             let orders = [coarse[i] / middle[i], middle[i] / fine[i]].map(f64::log2);
             println!(
-                "{time} s, place {i}: errors {:.2e} {:.2e} {:.2e}, orders {orders:.2?}",
+                "{time} s, depth {i}: errors {:.2e} {:.2e} {:.2e}, orders {orders:.2?}",
                 coarse[i], middle[i], fine[i]
             );
-            assert!(fine[i].abs() < 5e-4, "{time} s, place {i}: {:?}", fine[i]);
+            assert!(fine[i].abs() < 5e-4, "{time} s, depth {i}: {:?}", fine[i]);
             assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.2), "{orders:?}");
         }
     }
@@ -64,7 +64,7 @@ fn analytic_slab_constant_flux() {
     let weather = Weather { direct: 1000.0, ..Weather::still(300.0) };
     let exchange = exchange(&sun, &weather, interval, cell_size);
     let in_surface_cell = 1000.0 * interval / (capacity * cell_size);
-    let places = [(0, in_surface_cell), (30, 1e-4), (grid.cells - 1, 1e-4)];
+    let cells = [(0, in_surface_cell), (30, 1e-4), (grid.cells - 1, 1e-4)];
     let mut rail = Rail::new(&grid);
     let mut steps = 0;
     for time in [60.0, 156.0, 200.0, 600.0] {
@@ -72,7 +72,7 @@ fn analytic_slab_constant_flux() {
             rail.step(&grid, &exchange, number, &[], &mut []);
             steps += 1;
         }
-        for (cell, allowed) in places {
+        for (cell, allowed) in cells {
             let depth = grid.depth(cell);
             let found = rail.rise(0, &Level::at_depth(&grid, depth));
             let exact = slab_under_flux(depth, time);
@@ -85,7 +85,7 @@ fn analytic_slab_constant_flux() {
     }
 }
 
-/// Eq. 1 is stable up to s = 1/2: reference §5 V16, 2 mm allow 0.177 s.
+/// Eq. 1 is stable up to s = 1/2: V16, 2 mm allow 0.177 s.
 #[test]
 fn property_an_unstable_interval_is_refused() {
     assert!(fourier_number(&Material::PAPER, 0.1766, 0.002).is_ok());

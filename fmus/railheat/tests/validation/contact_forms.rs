@@ -19,9 +19,9 @@ fn kernel(u: f64) -> f64 {
     step * (0.5 * value(0) + (1..=points).map(value).sum::<f64>())
 }
 
-/// V10: steady rise under a moving band with a flux of some shape over -1 to 1, in 2 α q/(π k v), at the place X behind
-/// its middle, both over 2 α/v; L is the half width. Substitution u = ±w² for the singularity at the place.
-fn band(half: f64, place: f64, shape: impl Fn(f64) -> f64) -> f64 {
+/// V10: steady rise under a moving band with a flux of some shape over -1 to 1, in 2 α q/(π k v), at X behind
+/// its middle, both over 2 α/v; L is the half width. Substitution u = ±w² for the singularity there.
+fn band(half: f64, at: f64, shape: impl Fn(f64) -> f64) -> f64 {
     let points = 400;
     let side = |end: f64, sign: f64| {
         let root = end.max(0.0).sqrt();
@@ -29,14 +29,14 @@ fn band(half: f64, place: f64, shape: impl Fn(f64) -> f64) -> f64 {
         let value = |i: u32| {
             let w = (f64::from(i) + 0.5) * step;
             let u = sign * w * w;
-            2.0 * w * shape((place - u) / half) * kernel(u)
+            2.0 * w * shape((at - u) / half) * kernel(u)
         };
         step * (0..points).map(value).sum::<f64>()
     };
-    side(place + half, 1.0) + side(half - place, -1.0)
+    side(at + half, 1.0) + side(half - at, -1.0)
 }
 
-/// The highest value of a function with one maximum between 0 and 1, and its place.
+/// The highest value of a function with one maximum between 0 and 1, and where it is.
 fn highest(value: impl Fn(f64) -> f64) -> (f64, f64) {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..40 {
@@ -46,11 +46,11 @@ fn highest(value: impl Fn(f64) -> f64) -> (f64, f64) {
     (value(0.5 * (low + high)), 0.5 * (low + high))
 }
 
-/// V10 (Jaeger): highest rise of a uniform band, its place and the share of the fast limit 2 √(πL); five
+/// V10 (Jaeger): highest rise of a uniform band, where it is and the share of the fast limit 2 √(πL); five
 /// and four digits are given, the quadrature is good to 1e-4.
 #[test]
 fn analytic_v10_moving_band() {
-    for (half, wanted, place, of_limit) in [
+    for (half, wanted, wanted_at, of_limit) in [
         (0.5, 2.04859, 0.5367, 0.8173),
         (1.0, 3.11599, 0.6664, 0.8790),
         (5.0, 7.61271, 0.8759, 0.9604),
@@ -58,9 +58,9 @@ fn analytic_v10_moving_band() {
         (100.0, 35.32293, 0.9877, 0.9964),
     ] {
         let (found, at) = highest(|x| band(half, x * half, |_| 1.0));
-        println!("L = {half}: {found:.5} at {at:.4}, reference {wanted} at {place}");
+        println!("L = {half}: {found:.5} at {at:.4}, reference {wanted} at {wanted_at}");
         assert!((found / wanted - 1.0).abs() < 2e-4, "L = {half}: {found}");
-        assert!((at - place).abs() < 5e-3, "L = {half}: at {at}");
+        assert!((at - wanted_at).abs() < 5e-3, "L = {half}: at {at}");
         assert!((found / (2.0 * (PI * half).sqrt()) - of_limit).abs() < 3e-4);
     }
 }
@@ -107,8 +107,8 @@ fn analytic_v13_release_law_has_the_heat_of_the_conductance() {
     assert!((2.0 / PI * 0.5 * 1.0_f64.asin() - 0.5).abs() < 1e-15);
 }
 
-/// A wheel 20 K warmer than the rail leaves G ΔT/v in each metre: 2.03 J/m per kelvin at 60 km/h for a contact of 6.3 mm (reference
-/// §2.1, three digits). The wheel itself cools by 0.5 mK meanwhile.
+/// A wheel 20 K warmer than the rail leaves G ΔT/v in each metre: 2.03 J/m per kelvin at 60 km/h for a contact of 6.3 mm
+/// (`docs/reference/conduction.md`). The wheel itself cools by 0.5 mK meanwhile.
 #[test]
 fn benchmark_chill_heat_per_metre() {
     let base = parameters(outline("AS60"), Resolution::Plane, 0.012);
@@ -125,7 +125,7 @@ fn benchmark_chill_heat_per_metre() {
 /// The Ertz-Knothe case, full slip: 150.30 K in closed form, 166.8 K in print from CONTACT. Its sum over cells of
 /// q 2(√(x - x_j + h) - √(x - x_j - h)) takes 2√h for the cell itself, to which the factor 2 comes again, where the
 /// integral gives √h. The right sum gives 150.27 K with its cells of 0.2 mm and stays with smaller ones; the doubled one
-/// gives 164.4, 160.1 and 157.2 K with 0.2, 0.1 and 0.05 mm (reference §2.2), so that it has no limit but the integral. What
+/// gives 164.4, 160.1 and 157.2 K with 0.2, 0.1 and 0.05 mm (`docs/reference/conduction.md`), so that it has no limit but the integral. What
 /// is left to 166.8 is elastic slip, 1.4 %. Four digits are given: 0.1 K.
 #[test]
 fn benchmark_ertz_knothe_and_what_contact_makes_of_it() {

@@ -8,7 +8,7 @@ use railheat::weather::{Exchange, Sun, Surface};
 
 use crate::energy_common::{INSULATED, outline, parameters, slab};
 
-/// Reference §2.1, rail chill: conductance for two contacts at five speeds (three digits given).
+/// Rail chill in `docs/reference/conduction.md`: conductance for two contacts at five speeds (three digits given).
 #[test]
 fn benchmark_chill_conductance() {
     let beta = Material::PAPER.penetration();
@@ -46,7 +46,7 @@ fn analytic_flash_of_the_ertz_knothe_case() {
     assert!((peak * MEAN_OVER_PEAK / (150.30 * 0.6765063 / 1.2346198) - 1.0).abs() < 2e-4);
 }
 
-/// Reference §6.2, Winkler beam of AS60 with E I = 6.15 MN m²: highest moment (three digits, and 40 t are
+/// `docs/reference/section.md`, Winkler beam of AS60 with E I = 6.15 MN m²: highest moment (three digits, and 40 t are
 /// 196.2 kN: 0.3 %) and thermoelastic change at the foot (whole mK); two wheel loads, three track moduli.
 #[test]
 fn benchmark_bending() {
@@ -74,7 +74,7 @@ fn benchmark_bending() {
     }
 }
 
-/// Reference §6.2, hysteresis of 780 wheels of 22.3 t axles on 35 MPa: 5.5 mK in the outermost fibre
+/// `docs/reference/section.md`, hysteresis of 780 wheels of 22.3 t axles on 35 MPa: 5.5 mK in the outermost fibre
 /// of the foot with η = 1e-3 (two digits).
 #[test]
 fn benchmark_hysteresis() {
@@ -121,7 +121,7 @@ fn analytic_sun_on_the_surfaces() {
     assert!(lit(-1.0).iter().all(|lit| *lit == 0.0));
 }
 
-/// McAdams as used by Hong et al. (reference §3.1): 5.6 in still air, 25.6 at 5 m/s, 7.2 W^0.78 above.
+/// McAdams as used by Hong et al. 2019: 5.6 in still air, 25.6 at 5 m/s, 7.2 W^0.78 above.
 #[test]
 fn benchmark_convection_by_wind() {
     let exchange = Exchange { convection: 5.6, ..INSULATED };

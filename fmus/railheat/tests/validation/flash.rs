@@ -24,7 +24,7 @@ fn profile(s: f64) -> f64 {
     sum / std::f64::consts::PI.sqrt()
 }
 
-/// Reference §1: five digits are given; the quadrature is good to more than seven.
+/// `docs/reference/conduction.md`: five digits are given; the quadrature is good to more than seven.
 #[test]
 fn analytic_flash_profile_of_a_hertz_contact() {
     for (s, wanted) in [
@@ -43,17 +43,17 @@ fn analytic_flash_profile_of_a_hertz_contact() {
     }
 }
 
-/// Reference §1: the constant of the code is the profile's maximum, at x = 0.6522295 a.
+/// `docs/reference/conduction.md`: the constant of the code is the profile's maximum, at x = 0.6522295 a.
 #[test]
 fn analytic_flash_constant_is_the_maximum_of_the_profile() {
-    let place = 0.652_229_5;
-    assert!((profile(place) - HERTZ_PEAK).abs() < 2e-7);
-    for other in [place - 1e-2, place + 1e-2] {
+    let peak = 0.652_229_5;
+    assert!((profile(peak) - HERTZ_PEAK).abs() < 2e-7);
+    for other in [peak - 1e-2, peak + 1e-2] {
         assert!(profile(other) < HERTZ_PEAK);
     }
 }
 
-/// Reference §1 and §7.9: with equal steels the rise is 0.29474 F ξ √(v/a)/(b β), so that 2.5 N of
+/// `docs/reference/conduction.md`: with equal steels the rise is 0.29474 F ξ √(v/a)/(b β), so that 2.5 N of
 /// F ξ make 0.51 K at 60 km/h (stated to two digits).
 #[test]
 fn analytic_flash_rise_of_two_and_a_half_newtons() {
@@ -65,7 +65,7 @@ fn analytic_flash_rise_of_two_and_a_half_newtons() {
     assert!((coefficient - 0.29474).abs() < 5e-6, "{coefficient}");
 }
 
-/// Ertz & Knothe, *Wear* 253 (2002) 498: their case in closed form is 150.30 K (reference §2.2,
+/// Ertz & Knothe, *Wear* 253 (2002) 498: their case in closed form is 150.30 K (`docs/reference/conduction.md`,
 /// five digits).
 #[test]
 fn benchmark_flash_rise_of_the_ertz_knothe_case() {
@@ -75,7 +75,7 @@ fn benchmark_flash_rise_of_the_ertz_knothe_case() {
     assert!((rise - 150.30).abs() < 0.005, "{rise}");
 }
 
-/// Reference §1: the heat that a wheel really leaves in a metre of rail is
+/// `docs/reference/conduction.md`: the heat that a wheel really leaves in a metre of rail is
 /// 1.6964 b β √(a/v) ΔT, 2.47 J/m per kelvin here (three digits).
 #[test]
 fn analytic_heat_per_metre_of_a_flash_temperature() {
@@ -90,7 +90,7 @@ fn analytic_heat_per_metre_of_a_flash_temperature() {
 }
 
 /// CONTACT 24.1, exact half-space with Coulomb friction, locomotive Eurosprinter 127
-/// (reference/vehicle.md 4.7, series 1). Polach's law with both factors 1 is known to be +4.0 to
+/// (`docs/reference/contact.md`, series 1). Polach's law with both factors 1 is known to be +4.0 to
 /// -6.2 % off; the parabola for C₁₁ adds its own 1.1 % where the force is linear.
 #[test]
 fn benchmark_creep_force_against_contact() {
@@ -113,7 +113,7 @@ fn benchmark_creep_force_against_contact() {
     }
 }
 
-/// Kalker's table at ν = 0.28 (reference/vehicle.md 4.3): the parabola's error is at most 1.7 %.
+/// Kalker 1990, table E.3, at ν = 0.28: the parabola's error is at most 1.7 %.
 #[test]
 fn benchmark_kalker_coefficient() {
     for (ratio, wanted) in [

@@ -79,8 +79,8 @@ fn property_even_and_odd_modes_make_up_the_section() {
     }
 }
 
-/// Reference §4.2: the slowest mode of an insulated 60E1 section takes 922 s, that of AS60 898 s
-/// (approximate outline), with k = 40. The sections' outlines differ from the reference's; 2 %.
+/// `docs/reference/section.md`: the slowest mode of an insulated 60E1 section takes 922 s, that of AS60 898 s
+/// (approximate outline), with k = 40. The outlines differ from those of that page; 2 %.
 /// The result settles as the cells get smaller.
 #[test]
 fn benchmark_slowest_mode() {

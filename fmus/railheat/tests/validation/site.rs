@@ -133,7 +133,7 @@ fn analytic_shade_takes_the_direct_sun() {
         let weather = Weather { sun: Sun { elevation, azimuth: 0.7 }, ..MORNING };
         let parameters = Parameters { exchange, train, ..base.clone() };
         let mut model = EnergyModel::new(parameters, &[1, 1], &weather, 0.0).unwrap();
-        let at = |place: f64| Wheel { speed: 0.0, friction_power: 0.0, ..wheel(place) };
+        let at = |position: f64| Wheel { speed: 0.0, friction_power: 0.0, ..wheel(position) };
         let standing = |_| vec![at(10.0), at(11.0)];
         run(&mut model, &weather, standing, 0.0, 60, 1.0);
         (model.heat_per_metre(100), model.heat_per_metre(10))
@@ -173,7 +173,7 @@ fn analytic_a_day_that_comes_again() {
             model.step(&[], &air(begin + 30.0), begin, 60.0);
             noticed = noticed.max(model.rise(50, 2).abs());
         }
-        assert!(noticed > 9.0, "the day is felt: {noticed} K");
+        assert!(noticed > 9.0, "the day matters: {noticed} K");
         println!("a day later {:.1e} K, foot {:.1e} K", model.rise(50, 0), model.rise(50, 2));
         assert!(model.rise(50, 0).abs() < 0.01 && model.rise(50, 2).abs() < 0.01);
         assert!(model.ledger().error().abs() < 1e-9 * model.ledger().sources.moved().max(1e5));

@@ -7,7 +7,7 @@ use crate::common::{exchange, grid};
 
 const ZERO_CELSIUS: f64 = 273.15;
 
-/// Reference §3.4: Table 4 of the paper with air of 15 to 50 °C, and with the unfiltered sun
+/// `docs/reference/conduction.md`: Table 4 of the paper with air of 15 to 50 °C, and with the unfiltered sun
 /// (five and four digits are given).
 #[test]
 fn analytic_weather_equilibrium() {
