@@ -10,6 +10,9 @@ use railheat::line::Line;
 use railheat::section::{Outline, RailFile};
 use railheat::weather::{Exchange, Sun, Weather};
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::common::SPEED;
 use crate::energy_common::{INSULATED, NIGHT, parameters, run, slab, wheel};
 use crate::exact::{cooling_slab, half_space_under_flux, impulse};
@@ -65,8 +68,15 @@ fn analytic_v2_half_space_under_constant_flux() {
         now = time;
         for (level, depth) in [0.0005, 0.005, 0.010, 0.020, 0.060].into_iter().enumerate() {
             let (found, wanted) = (model.rise(5, level), half_space_under_flux(1e5, depth, time));
-            println!("{time} s, {depth} m: {found:.5} K, exact {wanted:.5} K");
-            assert!((found - wanted).abs() < 2e-3 * wanted + 0.06, "{time} s, {depth} m");
+            Row {
+                case: &format!("half-space under 1e5 W/m²: {} mm deep after {time} s", 1e3 * depth),
+                value: found,
+                expected: wanted,
+                unit: "K",
+                source: "V2, docs/reference/conduction.md",
+                tolerance: (2e-3 * wanted + 0.06, "cells of 1 mm, read linearly"),
+            }
+            .holds(&PAGE);
         }
     }
 }
@@ -105,8 +115,15 @@ fn analytic_v12_line_source() {
         now = time + 0.01;
         for (level, r) in [(1, 0.0075), (2, 0.0275)] {
             let (found, wanted) = (model.excess(100, level), table(time, r));
-            println!("{time} s, {r} m: {found:.6} K, exact {wanted:.6} K");
-            assert!((found / wanted - 1.0).abs() < allowed, "{time} s, {r} m");
+            Row {
+                case: &format!("line source of 1 kJ/m: {} mm deep after {time} s", 1e3 * r),
+                value: found,
+                expected: wanted,
+                unit: "K",
+                source: "V12, docs/reference/conduction.md",
+                tolerance: (allowed * wanted, "cells of 5 mm, 6 h²/(48 α t)"),
+            }
+            .holds(&PAGE);
         }
     }
 }
@@ -140,9 +157,25 @@ fn analytic_v14_harmonic_flux() {
         let amplitude = 1e4 / (Material::PAPER.penetration() * omega.sqrt());
         let wanted = (amplitude * (-depth / reach).exp(), depth / reach + 0.25 * PI);
         let found = (cosine.hypot(sine), sine.atan2(cosine).rem_euclid(2.0 * PI));
-        println!("{depth} m: {found:.5?}, exact {wanted:.5?} (K, rad)");
-        assert!((found.0 / wanted.0 - 1.0).abs() < 5e-3, "{depth} m");
-        assert!((found.1 - wanted.1).abs() < 5e-3, "{depth} m");
+        let source = "V14, docs/reference/conduction.md";
+        Row {
+            case: &format!("sunlight of 0.01 Hz: amplitude {} mm deep", 1e3 * depth),
+            value: found.0,
+            expected: wanted.0,
+            unit: "K",
+            source,
+            tolerance: (5e-3 * wanted.0, "cells of 1 mm, steps of 0.5 s"),
+        }
+        .holds(&PAGE);
+        Row {
+            case: &format!("sunlight of 0.01 Hz: lag {} mm deep", 1e3 * depth),
+            value: found.1,
+            expected: wanted.1,
+            unit: "rad",
+            source,
+            tolerance: (5e-3, "cells of 1 mm, steps of 0.5 s"),
+        }
+        .holds(&PAGE);
     }
 }
 
@@ -204,8 +237,15 @@ fn analytic_pulse_train() {
             let pulses = (0..36).map(|index| impulse(depth, time - passes(index)));
             let wanted = mixture * pulses.sum::<f64>();
             let found = model.excess(5, level);
-            println!("{time} s, {depth} m: {:.4} mK, exact {:.4} mK", 1e3 * found, 1e3 * wanted);
-            assert!((found - wanted).abs() < 5e-3 * wanted + 2e-5, "{time} s, {depth} m");
+            Row {
+                case: &format!("36 wheels: {} mm deep after {time} s", 1e3 * depth),
+                value: 1e3 * found,
+                expected: 1e3 * wanted,
+                unit: "mK",
+                source: "sum of V8, docs/reference/conduction.md",
+                tolerance: (5.0 * wanted + 0.02, "heat over 0.25 s, cells of 1 mm"),
+            }
+            .holds(&PAGE);
         }
     }
 }
@@ -228,8 +268,15 @@ fn analytic_weather_equilibrium_of_the_energy_model() {
             let weather = Weather { ambient: air + 273.15, ..sun(1366.0) };
             let model = EnergyModel::new(parameters, &[1], &weather, 0.0).unwrap();
             let found = model.initial_temperature() - 273.15;
-            println!("{air} °C, filter {filter}: {found:.3} °C, exact {wanted} °C");
-            assert!((found - wanted).abs() < 0.03, "{air} °C: {found} against {wanted}");
+            Row {
+                case: &format!("energy model in balance, air of {air} °C, filter {filter}"),
+                value: found,
+                expected: wanted,
+                unit: "°C",
+                source: "closed form, docs/reference/conduction.md",
+                tolerance: (0.03, "sides of the plate"),
+            }
+            .holds(&PAGE);
         }
     }
 }

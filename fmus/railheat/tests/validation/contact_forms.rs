@@ -7,6 +7,9 @@ use railheat::contact::chill::conductance;
 use railheat::contact::{Contact, Material, Wheel, WheelHeat};
 use railheat::energy::{EnergyModel, Parameters, Resolution};
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::common::SPEED;
 use crate::energy_common::{NIGHT, outline, parameters, run, wheel};
 
@@ -58,9 +61,25 @@ fn analytic_v10_moving_band() {
         (100.0, 35.32293, 0.9877, 0.9964),
     ] {
         let (found, at) = highest(|x| band(half, x * half, |_| 1.0));
-        println!("L = {half}: {found:.5} at {at:.4}, reference {wanted} at {wanted_at}");
-        assert!((found / wanted - 1.0).abs() < 2e-4, "L = {half}: {found}");
-        assert!((at - wanted_at).abs() < 5e-3, "L = {half}: at {at}");
+        let source = "V10 (Jaeger 1942), docs/reference/conduction.md";
+        Row {
+            case: &format!("moving band, L = {half}: highest rise"),
+            value: found,
+            expected: wanted,
+            unit: "2αq/(πkv)",
+            source,
+            tolerance: (2e-4 * wanted, "quadrature of the test"),
+        }
+        .holds(&PAGE);
+        Row {
+            case: &format!("moving band, L = {half}: where"),
+            value: at,
+            expected: wanted_at,
+            unit: "a",
+            source,
+            tolerance: (5e-3, "quadrature of the test"),
+        }
+        .holds(&PAGE);
         assert!((found / (2.0 * (PI * half).sqrt()) - of_limit).abs() < 3e-4);
     }
 }
@@ -101,8 +120,15 @@ fn analytic_v13_release_law_has_the_heat_of_the_conductance() {
     };
     let of_release: f64 = (0..strips).map(heat).sum();
     let of_model = conductance(beta, a, b, SPEED) / SPEED;
-    println!("release law {of_release:.5} J/(m K), model {of_model:.5} J/(m K)");
-    assert!((of_release / of_model - 1.0).abs() < 2e-4);
+    Row {
+        case: "heat through a contact of 5.88 x 10.54 mm at 60 km/h",
+        value: of_model,
+        expected: of_release,
+        unit: "J/(m K)",
+        source: "V13, release law of Ertz and Knothe 2002",
+        tolerance: (2e-4 * of_release, "sum over 2000 strips"),
+    }
+    .holds(&PAGE);
     // In contact both surfaces have the mean of their temperatures, as the law has it at its begin.
     assert!((2.0 / PI * 0.5 * 1.0_f64.asin() - 0.5).abs() < 1e-15);
 }
@@ -118,8 +144,15 @@ fn benchmark_chill_heat_per_metre() {
     let rolling = |t: f64| vec![Wheel { friction_power: 0.0, ..wheel(5.0 + SPEED * t) }];
     run(&mut model, &NIGHT, rolling, 0.0, 50, 0.01);
     let per_kelvin = model.sources_per_metre(80).chill / 20.0;
-    println!("{per_kelvin:.4} J/m per K");
-    assert!((per_kelvin - 2.03).abs() < 0.005, "{per_kelvin}");
+    Row {
+        case: "rail chill of a wheel 20 K warmer, 6.3 x 6.3 mm, 60 km/h",
+        value: per_kelvin,
+        expected: 2.03,
+        unit: "J/(m K)",
+        source: "closed form, docs/reference/conduction.md",
+        tolerance: (0.005, "three digits are given"),
+    }
+    .holds(&PAGE);
 }
 
 /// The Ertz-Knothe case, full slip: 150.30 K in closed form, 166.8 K in print from CONTACT. Its sum over cells of
@@ -151,9 +184,23 @@ fn benchmark_ertz_knothe_and_what_contact_makes_of_it() {
     let exact = WheelHeat::TYPICAL.flash(&model, &steel);
     for (cell, wanted) in [(0.2e-3, 164.4), (0.1e-3, 160.1), (0.05e-3, 157.2)] {
         let (right, doubled) = (rise(cell, 1.0), rise(cell, 2.0));
-        println!("cells of {cell} m: {right:.2} K, doubled {doubled:.2} K; model {exact:.2} K");
-        assert!((right - 150.27).abs() < 0.1, "{right}");
-        assert!((doubled - wanted).abs() < 0.1, "{doubled} against {wanted}");
-        assert!((exact - right).abs() < 0.1);
+        Row {
+            case: &format!("Ertz-Knothe case against sums over cells of {} mm", 1e3 * cell),
+            value: exact,
+            expected: right,
+            unit: "K",
+            source: "CONTACT's sum with the cell's own term once",
+            tolerance: (0.1, "four digits are given"),
+        }
+        .holds(&PAGE);
+        Row {
+            case: &format!("CONTACT's sum over cells of {} mm, own term twice", 1e3 * cell),
+            value: doubled,
+            expected: wanted,
+            unit: "K",
+            source: "CONTACT, user guide, `ertz_temperature`",
+            tolerance: (0.1, "four digits are given"),
+        }
+        .holds(&PAGE);
     }
 }

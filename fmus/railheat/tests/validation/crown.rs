@@ -5,6 +5,9 @@ use railheat::contact::Wheel;
 use railheat::energy::{EnergyModel, Parameters, Resolution};
 use railheat::section::{Outline, RailFile};
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::energy_common::{NIGHT, energy, parameters, slab_of, wheel};
 
 /// Heat of 1 kJ/m by friction in 20 ms, and the time after it.
@@ -31,8 +34,15 @@ fn analytic_the_surface_of_a_wide_slab() {
             let model = after_an_impulse(slab_of(half_width), Resolution::Column, 0.001, time);
             let mixture = 1e3 / (7850.0 * 450.0 * 0.172 * 2e-3 * half_width);
             let found = model.excess(80, 0) / mixture;
-            println!("{half_width} mm, {time} s: {found:.6}, V8 {top}");
-            assert!((found / top - 1.0).abs() < 1e-3, "{half_width} mm, {time} s: {found}");
+            Row {
+                case: &format!("impulse on a slab of {half_width} mm half width: top after {time} s"),
+                value: found,
+                expected: top,
+                unit: "of the mixture",
+                source: "V8, docs/reference/conduction.md",
+                tolerance: (1e-3 * top, "read half a cell of 1 mm deep"),
+            }
+            .holds(&PAGE);
         }
     }
 }

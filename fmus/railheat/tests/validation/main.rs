@@ -5,6 +5,12 @@
 //! `docs/reference/section.md`. Both were computed by programs that share no code with this one.
 //! All with the paper's steel (k = 40, ρ = 7850, c = 450) unless stated.
 
+/// The page that has the table of all comparisons.
+pub const PAGE: validation::Page<'static> = validation::Page {
+    path: "docs/validation/railheat.md",
+    text: include_str!("../../../../docs/validation/railheat.md"),
+};
+
 mod along;
 mod closed_forms;
 mod common;

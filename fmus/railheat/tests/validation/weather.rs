@@ -3,6 +3,9 @@
 use railheat::paper::{Level, Rail, RunningSurface};
 use railheat::weather::Weather;
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::common::{exchange, grid};
 
 const ZERO_CELSIUS: f64 = 273.15;
@@ -18,11 +21,21 @@ fn analytic_weather_equilibrium() {
         (50.0, 89.743, 123.17),
     ] {
         let weather = Weather { direct: 1366.0, ..Weather::still(air + ZERO_CELSIUS) };
-        let found = RunningSurface::PAPER.equilibrium(&weather) - ZERO_CELSIUS;
-        assert!((found - filtered).abs() < 6e-4, "{air} °C: {found} °C");
-        let clear = RunningSurface { filter: 1.0, ..RunningSurface::PAPER };
-        let found = clear.equilibrium(&weather) - ZERO_CELSIUS;
-        assert!((found - unfiltered).abs() < 6e-3, "{air} °C: {found} °C");
+        for (filter, expected, tolerance) in [
+            (0.5, filtered, (6e-4, "five digits are given")),
+            (1.0, unfiltered, (6e-3, "four or five digits are given")),
+        ] {
+            let surface = RunningSurface { filter, ..RunningSurface::PAPER };
+            Row {
+                case: &format!("paper's model in balance, air of {air} °C, filter {filter}"),
+                value: surface.equilibrium(&weather) - ZERO_CELSIUS,
+                expected,
+                unit: "°C",
+                source: "closed form, docs/reference/conduction.md",
+                tolerance,
+            }
+            .holds(&PAGE);
+        }
     }
 }
 
