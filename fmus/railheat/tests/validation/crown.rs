@@ -35,7 +35,9 @@ fn analytic_the_surface_of_a_wide_slab() {
             let mixture = 1e3 / (7850.0 * 450.0 * 0.172 * 2e-3 * half_width);
             let found = model.excess(80, 0) / mixture;
             Row {
-                case: &format!("impulse on a slab of {half_width} mm half width: top after {time} s"),
+                case: &format!(
+                    "impulse on a slab of {half_width} mm half width: top after {time} s"
+                ),
                 value: found,
                 expected: top,
                 unit: "of the mixture",
