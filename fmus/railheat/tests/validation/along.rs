@@ -101,7 +101,13 @@ fn analytic_along_the_length_of_a_fin() {
     let published = "V17, docs/reference/conduction.md";
     for (case, value, expected, source, tolerance) in [
         ("fin length of 60E1, lumped", lumped, of_reference, published, (0.015, "1 % of area")),
-        ("fin length beside warm rail", length, lumped, "fin in closed form", (0.015, "Biot number")),
+        (
+            "fin length beside warm rail",
+            length,
+            lumped,
+            "fin in closed form",
+            (0.015, "Biot number"),
+        ),
         ("the same in the slowest mode", length, of_mode, "√(α/λ)", (1e-3, "elements of 20 mm")),
     ] {
         let tolerance = (tolerance.0 * expected, tolerance.1);

@@ -91,7 +91,10 @@ fn analytic_slab_constant_flux() {
             let found = rail.rise(0, &Level::at_depth(&grid, depth));
             let exact = slab_under_flux(depth, time);
             Row {
-                case: &format!("paper's column under 1 kW/m²: {:.0} mm deep after {time} s", 1e3 * depth),
+                case: &format!(
+                    "paper's column under 1 kW/m²: {:.0} mm deep after {time} s",
+                    1e3 * depth
+                ),
                 value: found,
                 expected: exact,
                 unit: "K",

@@ -22,8 +22,20 @@ fn benchmark_section_properties() {
         let above_foot = file.outline().height() - found.centroid;
         for (what, value, expected, unit, share) in [
             ("area", found.area * 1e6, file.area_mm2, "mm²", area),
-            ("centroid above the foot", above_foot * 1e3, file.centroid_above_foot_mm, "mm", centroid),
-            ("second moment", found.second_moment * 1e8, file.second_moment_mm4 * 1e-4, "cm⁴", moment),
+            (
+                "centroid above the foot",
+                above_foot * 1e3,
+                file.centroid_above_foot_mm,
+                "mm",
+                centroid,
+            ),
+            (
+                "second moment",
+                found.second_moment * 1e8,
+                file.second_moment_mm4 * 1e-4,
+                "cm⁴",
+                moment,
+            ),
         ] {
             Row {
                 case: &format!("{what} of {name}"),
