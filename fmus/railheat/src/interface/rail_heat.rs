@@ -147,7 +147,7 @@ impl RailHeat {
         let line = self.model.line();
         format!(
             "{} is at chainage {:.1} m at {time:.3} s, outside the modelled track from {} m to {} m; \
-             wheels heat nothing there (told once)",
+             wheels heat nothing there (one warning a run)",
             signals.wheel_names[stray.wheel],
             stray.position,
             line.begin,
@@ -179,7 +179,7 @@ fn field_failed(
 ) -> Result<(), ModelError> {
     match FieldFailure::read(&signals.common.field_failure, values) {
         FieldFailure::Stop => Err(ModelError::from_error(error)),
-        FieldFailure::GoOn => {
+        FieldFailure::Continue => {
             log.warning(format!("{error}; the run goes on without writing the field"));
             Ok(())
         }

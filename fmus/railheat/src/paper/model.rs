@@ -63,7 +63,7 @@ pub struct State {
 pub struct PaperModel {
     parameters: Parameters,
     start_time: f64,
-    /// s of eq. 1.
+    /// The number s of the conduction.
     number: f64,
     /// RunningSurface, the parameters' depths, foot.
     levels: Vec<Level>,

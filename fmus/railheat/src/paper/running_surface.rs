@@ -1,6 +1,6 @@
 //! Heat that the running surface exchanges with the weather.
 //!
-//! Theory eq. 5; Table 4 of the paper:
+//! `docs/theory/railheat/paper.md#eq-5`, Table 4 of the paper:
 //!
 //! ```text
 //! q = a_s f I - h (T - T_a) - ε_r σ (T⁴ - T_a⁴)

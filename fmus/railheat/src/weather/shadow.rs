@@ -3,8 +3,8 @@
 //! The body is a box. A ray from the rail to the sun is at the height z above the rail displaced by
 //! z r/u to the right and by z f/u along the track, with the components r, f and u of the sun's
 //! direction to the right, forwards and upwards. The rail is in the shade where the ray meets the
-//! box (theory eq. 16); bogies and wheels are left out, so that a low sun shines below the floor.
-//! Validated by `analytic_shadow_of_a_vehicle`.
+//! box (`docs/theory/railheat/energy.md#eq-16`); bogies and wheels are left out, so that a low sun
+//! shines below the floor. Validated by `analytic_shadow_of_a_vehicle`.
 
 use super::sun::Sun;
 

@@ -4,6 +4,7 @@ use railheat::HeatModel;
 use railheat::contact::Wheel;
 use railheat::energy::{EnergyModel, Parameters, Resolution};
 use railheat::section::{Outline, RailFile};
+use railheat::weather::Exchange;
 
 use validation::Row;
 
@@ -68,4 +69,21 @@ fn property_a_straight_crown_warms_in_both_section_models() {
     let (column, plane) = (surface(Resolution::Column), surface(Resolution::Plane));
     println!("column {column:.5} K, 2d {plane:.5} K");
     assert!(plane > 0.01 && (column / plane - 1.0).abs() < 0.1, "{column} against {plane}");
+}
+
+/// A foot whose underside rises to both sides lies on no pad, so that a conductance to it has no meaning.
+#[test]
+fn a_pad_without_an_underside_is_refused() {
+    let text = "name = \"keel\"\nsource = \"test\"\nheight_mm = 172\narea_mm2 = 7120\n\
+                centroid_above_foot_mm = 86\nsecond_moment_mm4 = 1\n\
+                corners_mm = [[0, 172, 0], [25, 172, 0], [25, 59.2, 0], [0, 0, 0]]";
+    let outline = RailFile::from_toml(text, "keel").unwrap().outline();
+    let base = parameters(outline, Resolution::Column, 0.01);
+    let new = |pad: f64| {
+        let exchange = Exchange { pad, ..base.exchange };
+        EnergyModel::new(Parameters { exchange, ..base.clone() }, &[1], &NIGHT, 0.0)
+    };
+    assert!(new(0.0).is_ok());
+    let sentence = new(20.0).err().unwrap().to_string();
+    assert!(sentence.contains("foot.conductance = 20 W/(m2.K)"), "{sentence}");
 }

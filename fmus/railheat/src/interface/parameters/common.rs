@@ -20,7 +20,7 @@ fmu::choices! {
         /// Ends it.
         Stop = "stop",
         /// Lets it continue without the field.
-        GoOn = "go_on",
+        Continue = "go_on",
     }
 }
 
