@@ -11,11 +11,10 @@
 //! 337-346). The ground is as warm as the air. The underside of the foot has a conductance to the
 //! pad instead, zero when insulated. Validated by `analytic_weather_…`.
 
+use numerics::constants::STEFAN_BOLTZMANN;
+
 use super::conditions::Weather;
 use crate::section::{Cells, Facet};
-
-/// Stefan-Boltzmann constant σ, W/(m²·K⁴) (CODATA 2018).
-pub const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
 
 /// How the rail exchanges heat.
 #[derive(Clone, Copy, Debug, PartialEq)]

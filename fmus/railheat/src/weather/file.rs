@@ -13,6 +13,8 @@
 
 use std::path::Path;
 
+use numerics::constants::ZERO_CELSIUS;
+
 use super::conditions::Weather;
 use super::sun::Sun;
 
@@ -158,7 +160,7 @@ impl WeatherFile {
             from + share * (to - from)
         };
         Ok(Weather {
-            ambient: value(0) + 273.15,
+            ambient: value(0) + ZERO_CELSIUS,
             wind: value(1),
             direct: value(2),
             diffuse: value(3),

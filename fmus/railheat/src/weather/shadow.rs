@@ -6,6 +6,8 @@
 //! box (`docs/theory/railheat/energy.md#eq-16`); bogies and wheels are left out, so that a low sun
 //! shines below the floor. Validated by `analytic_shadow_of_a_vehicle`.
 
+use numerics::constants::RAIL_LATERAL_POSITION;
+
 use super::sun::Sun;
 
 /// The box that throws the shadow, and where the rail lies below it.
@@ -23,7 +25,8 @@ pub struct Body {
 
 impl Body {
     /// A wagon of usual size above the left rail of standard gauge.
-    pub const WAGON: Self = Self { half_width: 1.5, floor: 1.1, roof: 3.9, rail: -0.7535 };
+    pub const WAGON: Self =
+        Self { half_width: 1.5, floor: 1.1, roof: 3.9, rail: -RAIL_LATERAL_POSITION };
 
     /// Begin and end of the shadow of a body that reaches from one chainage to another, m.
     ///

@@ -3,6 +3,7 @@
 
 use std::f64::consts::PI;
 
+use numerics::constants::ZERO_CELSIUS;
 use railheat::HeatModel;
 use railheat::contact::{Material, Wheel};
 use railheat::energy::{EnergyModel, Parameters, Resolution, Start};
@@ -265,9 +266,9 @@ fn analytic_weather_equilibrium_of_the_energy_model() {
             let base = parameters(block(0.020, 100.0), Resolution::Column, 0.010);
             let exchange = Exchange { filter, ..Exchange::TYPICAL };
             let parameters = Parameters { exchange, start: Start::Equilibrium, ..base };
-            let weather = Weather { ambient: air + 273.15, ..sun(1366.0) };
+            let weather = Weather { ambient: air + ZERO_CELSIUS, ..sun(1366.0) };
             let model = EnergyModel::new(parameters, &[1], &weather, 0.0).unwrap();
-            let found = model.initial_temperature() - 273.15;
+            let found = model.initial_temperature() - ZERO_CELSIUS;
             Row {
                 case: &format!("energy model in balance, air of {air} °C, filter {filter}"),
                 value: found,

@@ -1,5 +1,6 @@
 //! Exchange with the weather.
 
+use numerics::constants::ZERO_CELSIUS;
 use railheat::paper::{Level, Rail, RunningSurface};
 use railheat::weather::Weather;
 
@@ -7,8 +8,6 @@ use validation::Row;
 
 use crate::PAGE;
 use crate::common::{exchange, grid};
-
-const ZERO_CELSIUS: f64 = 273.15;
 
 /// `docs/reference/conduction.md`: Table 4 of the paper with air of 15 to 50 °C, and with the unfiltered sun
 /// (five and four digits are given).
