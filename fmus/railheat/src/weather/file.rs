@@ -13,6 +13,8 @@
 
 use std::path::Path;
 
+use numerics::constants::ZERO_CELSIUS;
+
 use super::conditions::Weather;
 use super::sun::Sun;
 
@@ -24,7 +26,7 @@ pub const HEADER: &str =
 const WITHOUT_SUN: usize = 5;
 
 /// Lowest and highest value of each column after the time.
-pub(crate) const BOUNDS: [(f64, f64); 6] =
+const BOUNDS: [(f64, f64); 6] =
     [(-90.0, 65.0), (0.0, 115.0), (0.0, 1500.0), (0.0, 1000.0), (-90.0, 90.0), (-360.0, 720.0)];
 
 /// Longest time between two rows, s: beyond it weather cannot be called known.
@@ -158,7 +160,7 @@ impl WeatherFile {
             from + share * (to - from)
         };
         Ok(Weather {
-            ambient: value(0) + 273.15,
+            ambient: value(0) + ZERO_CELSIUS,
             wind: value(1),
             direct: value(2),
             diffuse: value(3),
