@@ -71,3 +71,37 @@ impl EcpBrake {
         *cylinder += rate * step;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BRAKE: EcpBrake =
+        EcpBrake { dead_time: 0.5, lag: 0.2, build_up_rate: 0.1, release_rate: 0.05 };
+
+    /// The fraction after a time under a command, from a fraction that has long been reached.
+    fn after(from: f64, command: f64, time: f64) -> f64 {
+        let (mut state, mut cylinder, step) = (EcpState::settled(from), from, 1e-3);
+        for _ in 0..(time / step).round() as usize {
+            BRAKE.advance(&mut state, &mut cylinder, command, step);
+        }
+        cylinder
+    }
+
+    /// After the dead time of 0.5 s a cylinder fills by 0.1/s and empties by 0.05/s.
+    /// Tolerance: two steps of 1 ms.
+    #[test]
+    fn analytic_dead_time_and_rates() {
+        assert_eq!(after(0.2, 1.0, 0.498), 0.2);
+        assert!((after(0.2, 1.0, 3.5) - 0.5).abs() < 2e-4);
+        assert!((after(0.8, 0.0, 4.5) - 0.6).abs() < 1e-4);
+    }
+
+    /// Close to its command the fraction is a first-order lag: what is missing falls by
+    /// exp(−t/τ). From 0.5 to 0.51 no rate limits; tolerance the step of 1 ms of 0.2 s.
+    #[test]
+    fn analytic_a_small_change_is_a_first_order_lag() {
+        let missing = 0.51 - after(0.5, 0.51, 0.5 + 0.3);
+        assert!((missing / (0.01 * f64::exp(-0.3 / 0.2)) - 1.0).abs() < 0.01, "{missing}");
+    }
+}
