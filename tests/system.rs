@@ -2,7 +2,6 @@
 //!
 //! | file | what is tested |
 //! |---|---|
-//! | `architecture.rs` | who may depend on whom |
 //! | `command_line.rs` | answers to wrong input |
 //! | `documents.rs` | what README, licences and vocabulary say |
 //! | `determinism.rs` | any number of threads gives the same bytes |
@@ -24,7 +23,6 @@
 //! All are one program, since linking is what takes the time of such tests' build. They need the
 //! packed FMUs (`cargo xtask fmus`); `cargo test --release -p hotfoot-tests rails` runs those of `rails.rs`.
 
-mod architecture;
 mod command_line;
 mod determinism;
 mod documents;
