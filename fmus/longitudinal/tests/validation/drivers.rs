@@ -112,8 +112,8 @@ fn property_drivers_keep_to_a_speed_profile_over_a_rolling_line() {
     assert!(uncontrolled.1 > 15.0, "{uncontrolled:?}");
 }
 
-/// The same drivers, whose gains were chosen on the line above, on another line with the paper's train,
-/// four times as heavy. The tail is on another gradient than the head, 2.6 km before it.
+/// The same drivers and gains on another line with the paper's train, four times as heavy.
+/// The tail is on another gradient than the head, 2.6 km before it.
 #[test]
 fn property_drivers_keep_to_a_speed_profile_with_a_heavy_train() {
     let cases = [
