@@ -1,5 +1,6 @@
-//! Keeps a vehicle at its place in the train: a PID controller on the position error
-//! (Bosomworth et al. 2018, eq. 5-7).
+//! The PID controller that keeps a vehicle model in step with the train model.
+//!
+//! It acts on the error of position (Bosomworth et al. 2018, eq. 5-7).
 //!
 //! The master and the FMU `synchronisation` use this one law, so that a system that is exported
 //! for other tools cannot differ from a run of the master.

@@ -367,6 +367,20 @@ fn a_refused_value_leaves_the_old_one() {
     assert_eq!(kettle.values()[handles.heating], "electric");
 }
 
+/// A model may rely on what its table says, also in an instance that was set into a saved state.
+#[test]
+fn a_saved_state_with_a_value_that_is_not_allowed_is_damaged() {
+    let mut kettle = running();
+    let bytes = kettle.save().unwrap().to_bytes();
+    assert!(kettle.deserialize_state(&bytes).is_ok());
+    let text = b"electric";
+    let at = bytes.windows(text.len()).position(|window| window == text).unwrap();
+    let mut damaged = bytes.clone();
+    damaged[at] = b'E';
+    let error = running().deserialize_state(&damaged).err().unwrap().to_string();
+    assert!(error.ends_with("a value is not one that can be set"), "{error}");
+}
+
 #[test]
 fn a_start_value_out_of_bounds_is_refused_when_the_interface_is_formed() {
     fmu::variables! {

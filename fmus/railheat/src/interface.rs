@@ -70,7 +70,7 @@ impl Model for RailHeat {
         Ok(rail_heat)
     }
 
-    fn foresee(&self, stop_time: f64) -> Result<(), ModelError> {
+    fn check_until(&self, stop_time: f64) -> Result<(), ModelError> {
         let at_the_end = self.weather.as_ref().map(|file| file.at(stop_time)).transpose();
         at_the_end.map(|_| ()).map_err(ModelError::from_error)
     }

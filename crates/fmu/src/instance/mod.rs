@@ -259,8 +259,8 @@ impl<M: Model> Instance<M> {
         }
     }
 
-    /// Gives the model up after a panic and tells why.
-    pub(crate) fn give_up(&mut self, call: Call, message: String) -> Error {
+    /// Drops the model after a panic, and gives the error that says why.
+    pub(crate) fn drop_model(&mut self, call: Call, message: String) -> Error {
         self.logger.drain(&mut self.log);
         self.built = None;
         self.phase = Phase::Error;
@@ -275,7 +275,7 @@ impl<M: Model> Instance<M> {
         let origin = Arc::new(Origin { values: self.values.clone(), start_time: self.time });
         let (model, values) = self.build(&origin)?;
         if let Some(stop) = self.experiment.and_then(|experiment| experiment.stop) {
-            model.foresee(stop).map_err(Error::Initialization)?;
+            model.check_until(stop).map_err(Error::Initialization)?;
         }
         self.values = values;
         self.check_finite(origin.start_time)?;

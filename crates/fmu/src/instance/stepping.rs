@@ -32,7 +32,7 @@ impl<M: Model> Instance<M> {
         let result = model.step(signals, &mut self.values, interval, &mut self.log);
         self.logger.drain(&mut self.log);
         if let Err(source) = result {
-            // An error that ends the simulation is told from a discarded step in `call`.
+            // An error that ends the simulation is told apart from a discarded step in `call`.
             self.phase = Phase::StepFailed;
             return Err(Error::Step { start, length, source });
         }

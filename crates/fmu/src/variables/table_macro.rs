@@ -33,7 +33,7 @@
 /// (a parameter that may change between steps), `input` or `output`; a table of groups only has
 /// no use of its own. It becomes
 /// - the struct of plain values, `Clone`, `Debug`, `PartialEq` and what the attributes add;
-/// - [`Handles<NAME>`](crate::Handles), with a handle in the place of each value;
+/// - [`Handles<NAME>`](crate::Handles), with a handle for each value;
 /// - `NAME::declare(declaration, scope)`, which declares the variables in the order of the rows;
 ///   the [`Scope`](crate::Scope) is what their names begin with;
 /// - [`NAME::read(handles, values)` and `value.write(handles, values)`](crate::Variables).
