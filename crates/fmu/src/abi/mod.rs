@@ -2,7 +2,7 @@
 //! C names.
 //!
 //! They turn pointers into Rust values and results into statuses; what a call does is in
-//! [`Instance`]. No panic leaves them.
+//! [`Instance`](crate::Instance). No panic leaves them.
 //!
 //! # Safety
 //! All functions ask of their caller what the standard asks of a simulation tool:
