@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use fmu::Instance;
 use hotfoot_tests::resources;
-use track::{Friction, Irregularity, Support, Track};
+use track::TrackFile;
 use vehicle::Vehicle;
 use vehicle::dynamics::Dynamics;
 use vehicle::inputs::Inputs;
@@ -54,12 +54,7 @@ fn property_a_step_allocates_nothing() {
     let library = stock::Library::open(hotfoot_tests::root().join("stock")).unwrap();
     for name in ["locomotive-coco-134t", "wagon-ore-40t"] {
         let structure = Structure::shared(&library.vehicle(name).unwrap()).unwrap();
-        let line = Line {
-            track: Track::from_toml(TRACK, "t").unwrap(),
-            irregularity: Irregularity::from_toml(TRACK, "t").unwrap(),
-            support: Support::from_toml(TRACK, "t").unwrap(),
-            friction: Friction::from_toml(TRACK, "t").unwrap(),
-        };
+        let line = Line::new(&TrackFile::new(TRACK, "t").unwrap()).unwrap();
         let mut vehicle = Dynamics::new(structure, Arc::new(line));
         let inputs = Inputs { traction: 50e3, rear_coupler: 50e3, ..Inputs::none(0.36) };
         vehicle.start(1000.0, 15.0, &inputs);

@@ -4,7 +4,9 @@
 //! |---|---|
 //! | `architecture.rs` | who may depend on whom |
 //! | `command_line.rs` | answers to wrong input |
+//! | `documents.rs` | what README, licences and vocabulary say |
 //! | `determinism.rs` | any number of threads gives the same bytes |
+//! | `examples.rs` | the examples |
 //! | `field_lost.rs` | a temperature field that is lost in a run |
 //! | `fmu_check.rs` | `hotfoot check` |
 //! | `force_balance.rs` | forces balance between the models |
@@ -25,6 +27,8 @@
 mod architecture;
 mod command_line;
 mod determinism;
+mod documents;
+mod examples;
 mod field_lost;
 mod fmu_check;
 mod force_balance;

@@ -1,4 +1,4 @@
-//! The engineering commands, which the program starts in `hotfoot-tools`.
+//! The engineering commands.
 
 use hotfoot_tests::{hotfoot, root};
 

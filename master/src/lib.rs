@@ -1,5 +1,5 @@
 //! The master of Hotfoot: runs a train, its vehicles and a rail as FMI 2.0 co-simulation FMUs in
-//! lockstep. It knows FMUs only by their interface.
+//! lockstep. It knows FMUs only by their interface. The program is the package `cli`.
 //!
 //! | room | part |
 //! |---|---|
@@ -13,27 +13,23 @@
 //! | `check/` | the rules of FMI 2.0 for an FMU, and the reference result that it carries |
 //! | `recording/`, `report/` | series files and the report |
 //! | `files/` | archives, and errors of files |
-//! | `supervise.rs` | a run in a child process, which an FMU may crash |
-//! | `commands.rs` | the commands of the program |
 
 pub mod check;
-pub mod commands;
 mod files;
 mod fmi;
 mod interface;
 pub mod recording;
-mod report;
-mod run;
+pub mod report;
+pub mod run;
 pub mod scenario;
 pub mod ssp;
-mod supervise;
 mod system;
 mod train;
 
-pub use fmi::{FmuInstance, Import};
+pub use files::archive;
+pub use fmi::{FmuInstance, Import, pack, watch_crashes};
 pub use interface::Interface;
 pub use run::error::RunError;
-pub use run::{Options, run};
 pub use system::parallel::pool;
 pub use system::port::{Port, Signal};
 pub use system::unit::{Unit, UnitError};

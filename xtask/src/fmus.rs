@@ -30,11 +30,10 @@ const MODELS: [(&str, &[&str]); 4] = [
     ("synchronisation", &["synchronisation.md"]),
 ];
 
-/// Builds the programs and the FMUs' binaries in release, and packs the FMUs.
+/// Builds the program and the FMUs' binaries in release, and packs the FMUs.
 pub fn build() -> Result<()> {
     let packages = MODELS.iter().flat_map(|(model, _)| ["-p".to_owned(), format!("{model}-fmu")]);
-    let programs = ["-p", "hotfoot", "-p", "hotfoot-tools"];
-    run(cargo().args(["build", "--release"]).args(programs).args(packages))?;
+    run(cargo().args(["build", "--release", "-p", "cli"]).args(packages))?;
     pack()
 }
 

@@ -1,8 +1,8 @@
 //! Sections of the vehicle file on its brakes: `[brake]`, `[locomotive_brake]`, `[hand_brake]`.
 
+use files::{Check, Mistake};
 use serde::Deserialize;
 
-use crate::check::{Check, StockError};
 use crate::propulsion::ValueBySpeed;
 
 /// What commands the friction brake.
@@ -123,7 +123,7 @@ fn one() -> f64 {
 }
 
 impl Brake {
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("net_braking_ratio", self.net_braking_ratio, 0.0, 1.0)?;
         check.between("wheel_heat_share", self.wheel_heat_share, 0.0, 1.0)?;
         check.between("dead_time_s", self.dead_time_s, 0.0, 60.0)?;
@@ -142,7 +142,7 @@ impl Brake {
 }
 
 impl AirBrake {
-    fn check(&self, check: &Check) -> Result<(), StockError> {
+    fn check(&self, check: &Check) -> Result<(), Mistake> {
         // Above the speed of sound in air nothing moves along a pipe.
         check.between("service_wave_m_per_s", self.service_wave_m_per_s, 1.0, 350.0)?;
         check.between("release_wave_m_per_s", self.release_wave_m_per_s, 1.0, 350.0)?;
@@ -155,7 +155,7 @@ impl AirBrake {
 }
 
 impl Reservoir {
-    fn check(&self, check: &Check) -> Result<(), StockError> {
+    fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("recharge_s", self.recharge_s, 1.0, 3600.0)?;
         check.between("recharge_s_per_km", self.recharge_s_per_km, 0.0, 3600.0)?;
         check.between("pipe_leakage_per_min", self.pipe_leakage_per_min, 0.0, 1.0)?;
@@ -165,7 +165,7 @@ impl Reservoir {
 }
 
 impl FractionByTime {
-    fn check(&self, check: &Check) -> Result<(), StockError> {
+    fn check(&self, check: &Check) -> Result<(), Mistake> {
         let columns = (("time_s", &self.time_s[..]), ("fraction", &self.fraction[..]));
         check.columns(columns.0, columns.1, 2)?;
         for i in 1..self.fraction.len() {
@@ -187,7 +187,7 @@ impl FractionByTime {
 }
 
 impl LocomotiveBrake {
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("net_braking_ratio", self.net_braking_ratio, 0.0, 1.0)?;
         check.between("build_up_s", self.build_up_s, 0.1, 600.0)?;
         check.between("release_s", self.release_s, 0.1, 600.0)
@@ -195,7 +195,7 @@ impl LocomotiveBrake {
 }
 
 impl HandBrake {
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("net_braking_ratio", self.net_braking_ratio, 0.0, 1.0)
     }
 }

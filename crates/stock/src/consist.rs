@@ -15,10 +15,8 @@
 
 use std::path::Path;
 
+use files::{Document, Mistake};
 use serde::Deserialize;
-
-use crate::check::{Check, StockError};
-use crate::library::{parse, read};
 
 /// Most vehicles a train may have.
 const MOST_VEHICLES: usize = 1000;
@@ -71,36 +69,36 @@ impl Consist {
     ///
     /// # Errors
     /// When the file cannot be read or a value in it is not possible.
-    pub fn from_file(file: &Path) -> Result<Self, StockError> {
-        Self::from_toml(&read(file)?, &file.display().to_string())
+    pub fn from_file(file: &Path) -> Result<Self, Mistake> {
+        Self::of(&Document::read(file)?)
     }
 
     /// Reads the text of a consist file; `name` stands in the error messages.
     ///
     /// # Errors
     /// When a value is not possible.
-    pub fn from_toml(text: &str, name: &str) -> Result<Self, StockError> {
-        let content: ConsistFile = parse(text, name)?;
-        let check = Check::new(name);
+    pub fn from_toml(text: &str, name: &str) -> Result<Self, Mistake> {
+        Self::of(&Document::new(name, text))
+    }
+
+    fn of(document: &Document) -> Result<Self, Mistake> {
+        let content: ConsistFile = document.parse()?;
+        let check = document.check();
         let (mut types, mut members): (Vec<String>, Vec<Member>) = (vec![], vec![]);
         for (i, block) in content.vehicle.into_iter().enumerate() {
-            if !(1..=MOST_VEHICLES - types.len()).contains(&block.count) {
-                let wanted = format!("must be at least 1, and {MOST_VEHICLES} in all at most");
-                let key = format!("vehicle[{}].count", i + 1);
-                return Err(check.error(&key, block.count, wanted));
-            }
-            let key = |name: &str| format!("vehicle[{}].{name}", i + 1);
-            check.between(&key("hand_brake"), block.hand_brake, 0.0, 1.0)?;
-            if block.group >= MOST_GROUPS {
-                let wanted = format!("must be less than {MOST_GROUPS}");
-                return Err(check.error(&key("group"), block.group, wanted));
-            }
+            let check = check.element("vehicle", i);
+            let possible = (1..=MOST_VEHICLES - types.len()).contains(&block.count);
+            let wanted = format!("must be at least 1, and {MOST_VEHICLES} in all at most");
+            check.ensure(possible, "count", block.count, &wanted)?;
+            check.between("hand_brake", block.hand_brake, 0.0, 1.0)?;
+            let wanted = format!("must be less than {MOST_GROUPS}");
+            check.ensure(block.group < MOST_GROUPS, "group", block.group, &wanted)?;
             let member = Member { group: block.group, hand_brake: block.hand_brake };
             members.extend(std::iter::repeat_n(member, block.count));
             types.extend(std::iter::repeat_n(block.r#type, block.count));
         }
         match types.is_empty() {
-            true => Err(check.error("vehicle", "[]", "must have at least one vehicle")),
+            true => Err(check.refuse("vehicle", "there must be at least one vehicle")),
             false => Ok(Self { types, members }),
         }
     }
@@ -121,7 +119,7 @@ mod tests {
     fn a_count_of_zero_is_refused_with_key_and_remedy() {
         let text = "vehicle = [{ type = 'loco' }, { type = 'wagon', count = 0 }]";
         let message = Consist::from_toml(text, "c.toml").unwrap_err().to_string();
-        assert!(message.starts_with("c.toml: vehicle[2].count = 0: must be at least 1"));
+        assert!(message.starts_with("c.toml:1:55: vehicle[2].count = 0: must be at least 1"));
     }
 
     #[test]

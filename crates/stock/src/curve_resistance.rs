@@ -1,8 +1,7 @@
 //! The keys of section `[resistance]` of the vehicle file on curves.
 
+use files::{Check, Mistake};
 use serde::Deserialize;
-
-use crate::check::{Check, StockError};
 
 /// How the curve resistance follows from the radius R, m.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
@@ -31,7 +30,7 @@ pub struct CurveTable {
 
 impl CurveFormula {
     /// The table must be there where the formula needs it, and only there.
-    pub(crate) fn check(self, table: Option<&CurveTable>, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(self, table: Option<&CurveTable>, check: &Check) -> Result<(), Mistake> {
         match (self, table) {
             (Self::Table, Some(table)) => check.section("curve_table").columns(
                 ("per_km", &table.per_km),
@@ -39,11 +38,11 @@ impl CurveFormula {
                 2,
             ),
             (Self::Table, None) => {
-                Err(check.error("curve_table", "none", "needed by the curve formula \"table\""))
+                Err(check.missing("curve_table", "the curve formula \"table\" needs it"))
             }
             (_, Some(_)) => {
                 let wanted = "leave it out, or set curve_formula = \"table\"";
-                Err(check.error("curve_table", "given", wanted))
+                Err(check.refuse("curve_table", wanted))
             }
             (_, None) => Ok(()),
         }

@@ -6,12 +6,10 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::de::DeserializeOwned;
+use files::{Document, Mistake, did_you_mean};
 use toml::{Table, Value};
 
-use crate::check::{Check, StockError};
-use crate::draft_gear::DraftGear;
-use crate::gear_file::GearFile;
+use crate::draft_gear::{DraftGear, GearFile};
 use crate::vehicle::Vehicle;
 
 /// Most files in a chain of vehicles that extend one another.
@@ -28,13 +26,14 @@ impl Library {
     ///
     /// # Errors
     /// When `root` has no subfolder `vehicles`.
-    pub fn open(root: impl Into<PathBuf>) -> Result<Self, StockError> {
+    pub fn open(root: impl Into<PathBuf>) -> Result<Self, Mistake> {
         let root = root.into();
-        match std::fs::metadata(root.join("vehicles")) {
-            Ok(_) => Ok(Self { root }),
-            Err(source) => {
-                Err(StockError::Read { file: root.join("vehicles").display().to_string(), source })
-            }
+        match root.join("vehicles").is_dir() {
+            true => Ok(Self { root }),
+            false => Err(Mistake::in_file(
+                root.display(),
+                "is no rolling-stock library: it has no folder `vehicles`",
+            )),
         }
     }
 
@@ -43,7 +42,7 @@ impl Library {
     ///
     /// # Errors
     /// When there is none.
-    pub fn of(file: &Path) -> Result<Self, StockError> {
+    pub fn of(file: &Path) -> Result<Self, Mistake> {
         let folder = file.parent().unwrap_or(Path::new(""));
         match folder.file_name() {
             Some(name) if name == "vehicles" => Self::open(folder.join("..")),
@@ -56,7 +55,7 @@ impl Library {
     ///
     /// # Errors
     /// When its file, or one that it extends, cannot be read or has a value that is not possible.
-    pub fn vehicle(&self, name: &str) -> Result<Vehicle, StockError> {
+    pub fn vehicle(&self, name: &str) -> Result<Vehicle, Mistake> {
         self.vehicle_from_file(&self.vehicle_path(name))
     }
 
@@ -64,21 +63,17 @@ impl Library {
     ///
     /// # Errors
     /// When the file, or one that it extends, cannot be read or has a value that is not possible.
-    pub fn vehicle_from_file(&self, file: &Path) -> Result<Vehicle, StockError> {
-        let name = file.display().to_string();
-        let text = read(file)?;
-        let table: Table = parse(&text, &name)?;
+    pub fn vehicle_from_file(&self, file: &Path) -> Result<Vehicle, Mistake> {
+        let document = Document::read(file)?;
+        let table: Table = document.parse()?;
         let base = table.get("extends").and_then(Value::as_str).map(str::to_owned);
         let mut vehicle: Vehicle = match table.contains_key("extends") {
-            // Reading the text itself gives errors with line and caret.
-            false => parse(&text, &name)?,
-            true => self
-                .extended(table, &name, LONGEST_CHAIN)?
-                .try_into()
-                .map_err(|source| syntax(&name, source))?,
+            false => document.parse()?,
+            true => document.parse_table(&self.extended(table, &document, LONGEST_CHAIN)?)?,
         };
-        let checked = vehicle.check(&name);
-        if let Err(error) = checked.and_then(|()| vehicle.find_profiles(&name, &self.root)) {
+        let check = document.check();
+        let checked = vehicle.check(&check);
+        if let Err(error) = checked.and_then(|()| vehicle.find_profiles(&check, &self.root)) {
             // A wrong value is looked for in the file that has it.
             let base_error = base.and_then(|base| self.vehicle(&base).err());
             return Err(base_error.unwrap_or(error));
@@ -90,10 +85,25 @@ impl Library {
     ///
     /// # Errors
     /// When its file cannot be read or has a value that is not possible.
-    pub fn draft_gear(&self, name: &str) -> Result<DraftGear, StockError> {
+    pub fn draft_gear(&self, name: &str) -> Result<DraftGear, Mistake> {
         let file = self.root.join("draft_gears").join(format!("{name}.toml"));
-        let name = file.display().to_string();
-        parse::<GearFile>(&read(&file)?, &name)?.compile(&name)
+        let document = Document::read(&file)?;
+        document.parse::<GearFile>()?.compile(&document.check())
+    }
+
+    /// The names of all vehicle types in order.
+    fn vehicle_names(&self) -> Vec<String> {
+        let files = std::fs::read_dir(self.root.join("vehicles")).into_iter().flatten().flatten();
+        let stems = files.filter_map(|file| {
+            let path = file.path();
+            path.extension()
+                .is_some_and(|extension| extension == "toml")
+                .then(|| path.file_stem()?.to_str().map(str::to_owned))
+                .flatten()
+        });
+        let mut names: Vec<String> = stems.collect();
+        names.sort();
+        names
     }
 
     fn vehicle_path(&self, name: &str) -> PathBuf {
@@ -101,8 +111,13 @@ impl Library {
     }
 
     /// The table with the values of the vehicle that it extends; `chain` more may follow.
-    fn extended(&self, mut own: Table, file: &str, chain: usize) -> Result<Table, StockError> {
-        let check = Check::new(file);
+    fn extended(
+        &self,
+        mut own: Table,
+        document: &Document,
+        chain: usize,
+    ) -> Result<Table, Mistake> {
+        let check = document.check();
         let Some(extends) = own.remove("extends") else {
             return Ok(own);
         };
@@ -121,9 +136,13 @@ impl Library {
         }
         let without = own.remove("without").unwrap_or(Value::Array(vec![]));
         let base_file = self.vehicle_path(base_name);
-        let base_file_name = base_file.display().to_string();
-        let base = parse(&read(&base_file)?, &base_file_name)?;
-        let mut base = self.extended(base, &base_file_name, chain - 1)?;
+        if !base_file.is_file() {
+            let meant = did_you_mean(base_name, self.vehicle_names().iter().map(String::as_str));
+            let wanted = format!("there is no vehicle of this name in the library{meant}");
+            return Err(check.error("extends", extends, wanted));
+        }
+        let base = Document::read(&base_file)?;
+        let mut base = self.extended(base.parse()?, &base, chain - 1)?;
         let Value::Array(without) = without else {
             return Err(check.error("without", without, "must be a list of names in brackets"));
         };
@@ -149,27 +168,4 @@ fn merge(base: &mut Table, own: Table) {
             }
         }
     }
-}
-
-/// Reads a TOML file into the structure that describes it.
-///
-/// # Errors
-/// When the file cannot be read, or does not have this structure.
-pub fn read_toml<T: DeserializeOwned>(file: &Path) -> Result<T, StockError> {
-    parse(&read(file)?, &file.display().to_string())
-}
-
-/// The text of a file.
-pub(crate) fn read(file: &Path) -> Result<String, StockError> {
-    std::fs::read_to_string(file)
-        .map_err(|source| StockError::Read { file: file.display().to_string(), source })
-}
-
-/// The content of a file's text; `name` stands in the error message.
-pub(crate) fn parse<T: DeserializeOwned>(text: &str, name: &str) -> Result<T, StockError> {
-    toml::from_str(text).map_err(|source| syntax(name, source))
-}
-
-fn syntax(file: &str, source: toml::de::Error) -> StockError {
-    StockError::Syntax { file: file.to_owned(), source: Box::new(source) }
 }

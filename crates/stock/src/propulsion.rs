@@ -1,8 +1,7 @@
 //! Sections of the vehicle file that only locomotives have: traction and dynamic brake.
 
+use files::{Check, Mistake};
 use serde::Deserialize;
-
-use crate::check::{Check, StockError};
 
 /// Number of the highest notch.
 pub const NOTCHES: usize = 8;
@@ -95,7 +94,7 @@ pub struct ValueBySpeed {
 }
 
 impl Traction {
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("efficiency", self.efficiency, 0.1, 1.0)?;
         check.between("ramp_s", self.ramp_s, 0.0, 600.0)?;
         match self.power_kw {
@@ -104,16 +103,19 @@ impl Traction {
                 check_shares(check, "notch_power", &self.notch_power)?;
             }
             None if self.notch_power.is_empty() => {}
-            None => return Err(check.error("power_kw", "none", "needed by notch_power")),
+            None => return Err(check.missing("power_kw", "notch_power needs it")),
         }
         check_shares(check, "notch_effort", &self.notch_effort)?;
         match (&self.effort, &self.by_notch) {
             (Some(effort), None) => effort.check(&check.section("effort"))?,
             (None, Some(by_notch)) => by_notch.check(&check.section("by_notch"))?,
-            (effort, _) => {
-                let found = if effort.is_some() { "both" } else { "none" };
-                let wanted = "needs either [traction.effort] or [traction.by_notch]";
-                return Err(check.error("effort", found, wanted));
+            (Some(_), Some(_)) => {
+                let why = "leave either [traction.effort] or [traction.by_notch] out";
+                return Err(check.refuse("by_notch", why));
+            }
+            (None, None) => {
+                let what_for = "traction needs it, or [traction.by_notch]";
+                return Err(check.missing("effort", what_for));
             }
         }
         match &self.adhesion {
@@ -124,7 +126,7 @@ impl Traction {
 }
 
 /// Shares of idle and the notches: nine, from zero, not falling, at most one.
-fn check_shares(check: &Check, key: &str, shares: &[f64]) -> Result<(), StockError> {
+fn check_shares(check: &Check, key: &str, shares: &[f64]) -> Result<(), Mistake> {
     if shares.len() != NOTCHES + 1 {
         let wanted = "needs nine values, for idle and the notches 1 to 8";
         return Err(check.error(key, format!("{shares:?}"), wanted));
@@ -140,7 +142,7 @@ fn check_shares(check: &Check, key: &str, shares: &[f64]) -> Result<(), StockErr
 }
 
 impl EffortByNotch {
-    fn check(&self, check: &Check) -> Result<(), StockError> {
+    fn check(&self, check: &Check) -> Result<(), Mistake> {
         if self.effort_kn.len() != NOTCHES {
             let wanted = "needs eight rows, one for each notch from 1 to 8";
             return Err(check.error("effort_kn", format!("{} rows", self.effort_kn.len()), wanted));
@@ -154,7 +156,7 @@ impl EffortByNotch {
 }
 
 impl DynamicBrake {
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("ramp_s", self.ramp_s, 0.0, 600.0)?;
         let effort = check.section("effort");
         self.effort.check(&effort)?;
@@ -166,7 +168,7 @@ impl DynamicBrake {
 }
 
 impl EffortBySpeed {
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         // A speed may stand twice, as the corner of a spline: the rest must be as in any table.
         let (mut speeds, mut efforts) = (self.speed_kmh.clone(), self.effort_kn.clone());
         let corner = |i: &usize| {
@@ -184,7 +186,7 @@ impl EffortBySpeed {
 }
 
 impl ValueBySpeed {
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.columns(("speed_kmh", &self.speed_kmh), ("value", &self.value), 1)?;
         for (i, &value) in self.value.iter().enumerate() {
             check.between(&format!("value[{}]", i + 1), value, 0.0, 1.0)?;

@@ -3,9 +3,9 @@
 //! Each formula comes down to `factor (constant + linear V + quadratic V²)` in N with the speed V in
 //! km/h, or to a table.
 
+use files::{Check, Mistake};
 use serde::Deserialize;
 
-use crate::check::{Check, StockError};
 use crate::curve_resistance::{CurveFormula, CurveTable};
 use crate::propulsion::EffortBySpeed;
 
@@ -148,7 +148,7 @@ impl Resistance {
         }
     }
 
-    pub(crate) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("factor", self.factor, 0.0, 10.0)?;
         check.between("constant_n_per_t", self.constant_n_per_t, 0.0, 1000.0)?;
         check.between("axle_n", self.axle_n, 0.0, 1e4)?;
@@ -162,7 +162,7 @@ impl Resistance {
     }
 
     /// What a formula needs must be there, and what it does not use must not.
-    fn check_what_the_formula_needs(&self, check: &Check) -> Result<(), StockError> {
+    fn check_what_the_formula_needs(&self, check: &Check) -> Result<(), Mistake> {
         use ResistanceFormula::{Arema, CanadianNational, Coefficients, Cole, Davis, Table};
         let formula = self.formula;
         let used: [(&str, Option<f64>, &[ResistanceFormula]); 7] = [
@@ -184,8 +184,8 @@ impl Resistance {
                     return Err(check.error(key, value, wanted));
                 }
                 None if users.contains(&formula) && formula != Coefficients => {
-                    let wanted = format!("needed by the formula {formula:?}");
-                    return Err(check.error(key, "none", wanted));
+                    let what_for = format!("the formula {formula:?} needs it");
+                    return Err(check.missing(key, what_for));
                 }
                 _ => {}
             }
@@ -193,7 +193,7 @@ impl Resistance {
         Ok(())
     }
 
-    fn check_tables(&self, check: &Check) -> Result<(), StockError> {
+    fn check_tables(&self, check: &Check) -> Result<(), Mistake> {
         if let Some(area) = self.area_m2 {
             check.between("area_m2", area, 0.1, 100.0)?;
         }
@@ -213,11 +213,14 @@ fn nonzero(value: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use files::Document;
+
     use super::*;
 
-    fn resistance(text: &str) -> Result<Resistance, StockError> {
-        let resistance: Resistance = crate::library::parse(text, "v.toml")?;
-        resistance.check(&Check::new("v.toml"))?;
+    fn resistance(text: &str) -> Result<Resistance, Mistake> {
+        let document = Document::new("v.toml", text);
+        let resistance: Resistance = document.parse()?;
+        resistance.check(&document.check())?;
         Ok(resistance)
     }
 
@@ -254,7 +257,7 @@ mod tests {
     fn a_formula_without_what_it_needs_is_refused() {
         let message = resistance("formula = 'arema'").unwrap_err().to_string();
         assert!(
-            message.contains("air_coefficient = none: needed by the formula Arema"),
+            message.contains("air_coefficient is missing: the formula Arema needs it"),
             "{message}"
         );
     }
@@ -263,6 +266,9 @@ mod tests {
     fn a_coefficient_that_the_formula_does_not_use_is_refused() {
         let text = "formula = 'aar-rp548'\naxle_n = 80.0";
         let message = resistance(text).unwrap_err().to_string();
-        assert!(message.contains("axle_n = 80: the formula AarRp548 does not use it"), "{message}");
+        assert!(
+            message.contains("axle_n = 80.0: the formula AarRp548 does not use it"),
+            "{message}"
+        );
     }
 }

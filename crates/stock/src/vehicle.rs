@@ -30,12 +30,11 @@
 
 use std::path::Path;
 
+use files::{Check, Mistake};
 use serde::Deserialize;
 
 use crate::brake::{Brake, HandBrake, LocomotiveBrake};
-use crate::check::{Check, StockError};
-use crate::multibody::Multibody;
-use crate::profile_files;
+use crate::multibody::{Multibody, profile_files};
 use crate::propulsion::{DynamicBrake, Traction};
 use crate::resistance::Resistance;
 
@@ -129,18 +128,18 @@ impl Coupler {
 
 impl Vehicle {
     /// Finds the profiles that are files in the folder `library`.
-    pub(crate) fn find_profiles(&mut self, file: &str, library: &Path) -> Result<(), StockError> {
+    pub(crate) fn find_profiles(&mut self, check: &Check, library: &Path) -> Result<(), Mistake> {
         match &mut self.multibody {
             Some(multibody) => {
-                let check = Check::new(file).section("multibody").section("contact");
+                let check = check.section("multibody").section("contact");
                 profile_files::find(&mut multibody.contact, library, &check)
             }
             None => Ok(()),
         }
     }
 
-    pub(crate) fn check(&self, file: &str) -> Result<(), StockError> {
-        let check = Check::new(file);
+    /// Refuses values that are not possible.
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("mass_kg", self.mass_kg, 100.0, 1e6)?;
         check.between("rotating_mass_kg", self.rotating_mass_kg, 0.0, 1e5)?;
         check.between("length_m", self.length_m, 1.0, 200.0)?;

@@ -112,7 +112,8 @@ fn profiles_that_are_files_are_found_in_the_library() {
     std::fs::write(&again, "extends = 'worn'\nmultibody.contact.rail = 'AS60'\n").unwrap();
     let missing = scratch.vehicle("again").unwrap_err().to_string();
     assert!(
-        missing.contains("worn.toml: multibody.contact.wheel = profiles/worn.prw: cannot read")
+        missing
+            .contains("worn.toml:2:27: multibody.contact.wheel = 'profiles/worn.prw': cannot read")
     );
 
     let profile = scratch.folder.path().join("profiles/worn.prw");
@@ -138,7 +139,7 @@ fn a_profile_outside_of_the_library_is_refused() {
 #[test]
 fn a_negative_mass_is_refused_with_file_key_and_remedy() {
     let message = message("mass_kg = -134000.0");
-    assert!(message.contains("changed.toml: mass_kg = -134000: must lie between 100"));
+    assert!(message.contains("changed.toml:2:11: mass_kg = -134000.0: must lie between 100"));
 }
 
 #[test]
@@ -157,7 +158,10 @@ fn an_unknown_key_is_refused_with_its_line_in_a_file_of_its_own() {
     let own = std::fs::read_to_string(Path::new(ROOT).join("vehicles/locomotive-coco-134t.toml"));
     let text = format!("lenght_m = 20.0\n{}", own.unwrap());
     let error = Scratch::with("own", &text).vehicle("own").unwrap_err().to_string();
-    assert!(error.contains("line 1") && error.contains("lenght_m"), "{error}");
+    assert!(
+        error.contains("own.toml:1:1: there is no key `lenght_m`; did you mean `length_m`?"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -171,7 +175,10 @@ fn a_table_that_does_not_rise_is_refused_with_its_row() {
 fn efforts_given_twice_are_refused() {
     let rows = "[[1], [2], [3], [4], [5], [6], [7], [8]]";
     let message = message(&format!("[traction.by_notch]\nspeed_kmh = [0]\neffort_kn = {rows}"));
-    assert!(message.contains("traction.effort = both: needs either"), "{message}");
+    assert!(
+        message.contains("changed.toml:2:2: traction.by_notch: leave either [traction.effort]"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -185,16 +192,13 @@ fn a_table_without_all_notches_is_refused() {
 #[test]
 fn an_air_brake_without_its_section_is_refused() {
     let message = message("brake.control = 'air'");
-    assert!(
-        message.contains("brake.control = \"air\": needs the section [brake.air]"),
-        "{message}"
-    );
+    assert!(message.contains("brake.control = 'air': needs the section [brake.air]"), "{message}");
 }
 
 #[test]
 fn a_section_to_leave_out_must_exist() {
     let message = message("without = ['tracton']");
-    assert!(message.contains("without = \"tracton\": locomotive-coco-134t has only"), "{message}");
+    assert!(message.contains("without = ['tracton']: locomotive-coco-134t has only"), "{message}");
 }
 
 #[test]

@@ -1,86 +1,93 @@
 //! What the values of a track file must be.
 
-use crate::error::TrackError;
-use crate::file::{CurvaturePoint, Element, GradientPoint, TrackFile};
+use files::{Check, Mistake};
+
+use crate::content::{Content, CurvaturePoint, Element, GradientPoint};
 
 /// Greatest curvature, 1/km: that of the smallest radius, 50 m.
 const GREATEST_CURVATURE: f64 = 20.0;
 
-/// Refuses the value of a key of `file` unless it is possible.
-fn ensure(
-    file: &str,
-    possible: bool,
-    key: impl FnOnce() -> String,
-    value: f64,
-    wanted: &'static str,
-) -> Result<(), TrackError> {
-    match possible {
-        true => Ok(()),
-        false => Err(TrackError::Value { file: file.to_owned(), key: key(), value, wanted }),
-    }
-}
-
-impl TrackFile {
-    pub(crate) fn check(&self, file: &str) -> Result<(), TrackError> {
+impl Content {
+    /// Refuses what a designed line cannot be.
+    pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         let wanted = "must be a finite chainage in metres";
-        ensure(file, self.start_m.is_finite(), || "start_m".into(), self.start_m, wanted)?;
+        check.ensure(self.start_m.is_finite(), "start_m", self.start_m, wanted)?;
         for (i, element) in self.alignment.iter().enumerate() {
-            element.check(file, |name| format!("alignment[{}].{name}", i + 1))?;
+            element.check(&check.element("alignment", i))?;
         }
         for (i, point) in self.curvature.iter().enumerate() {
-            point.check(file, |name| format!("curvature[{}].{name}", i + 1))?;
+            point.check(&check.element("curvature", i))?;
         }
         for (i, point) in self.gradient.iter().enumerate() {
-            point.check(file, |name| format!("gradient[{}].{name}", i + 1))?;
+            point.check(&check.element("gradient", i))?;
         }
+        check_order(check, "curvature", self.curvature.iter().map(|point| point.chainage_m))?;
+        check_order(check, "gradient", self.gradient.iter().map(|point| point.chainage_m))?;
         match (self.alignment.is_empty(), self.curvature.first()) {
             (false, Some(point)) => {
                 let wanted = "leave either [[alignment]] or [[curvature]] out";
-                ensure(file, false, || "curvature[1].per_km".into(), point.per_km, wanted)
+                Err(check.error("curvature[1].per_km", point.per_km, wanted))
             }
             _ => Ok(()),
         }
     }
 }
 
+/// Points stand in the order of their chainages; one that stands twice is a step.
+pub(crate) fn check_order(
+    check: &Check,
+    list: &str,
+    chainages: impl Iterator<Item = f64>,
+) -> Result<(), Mistake> {
+    let mut before: Option<f64> = None;
+    for (i, chainage) in chainages.enumerate() {
+        let check = check.element(list, i);
+        check.ensure(chainage.is_finite(), "chainage_m", chainage, "must be a finite chainage")?;
+        if let Some(before) = before.filter(|before| chainage < *before) {
+            let wanted = format!("must not be less than {before}, that of the point before it");
+            return Err(check.error("chainage_m", chainage, wanted));
+        }
+        before = Some(chainage);
+    }
+    Ok(())
+}
+
 impl Element {
-    fn check(&self, file: &str, key: impl Fn(&str) -> String) -> Result<(), TrackError> {
+    fn check(&self, check: &Check) -> Result<(), Mistake> {
         let Self { length_m, transition, radius_m, cant_mm } = *self;
-        let possible = length_m.is_finite() && length_m > 0.0;
-        ensure(file, possible, || key("length_m"), length_m, "must be greater than zero")?;
+        check.positive("length_m", length_m)?;
         if let Some(radius) = radius_m {
             let possible = radius.is_finite() && radius.abs() >= 50.0;
             let wanted = "must be at least 50 m (negative: left-hand curve); \
                           leave it out for straight track";
-            ensure(file, possible, || key("radius_m"), radius, wanted)?;
+            check.ensure(possible, "radius_m", radius, wanted)?;
         }
-        check_cant(file, cant_mm, &key)?;
-        let neighbours = "a transition takes curvature and cant from its neighbours; \
-                          leave radius_m and cant_mm out";
-        let possible = !transition || (radius_m.is_none() && cant_mm == 0.0);
-        let radius = radius_m.unwrap_or_default();
-        ensure(file, possible, || key("radius_m"), radius, neighbours)
+        check_cant(check, cant_mm)?;
+        let wanted = "a transition takes curvature and cant from its neighbours; \
+                      leave radius_m and cant_mm out";
+        match radius_m {
+            Some(radius) => check.ensure(!transition, "radius_m", radius, wanted),
+            None => check.ensure(!transition || cant_mm == 0.0, "cant_mm", cant_mm, wanted),
+        }
     }
 }
 
 impl CurvaturePoint {
-    fn check(&self, file: &str, key: impl Fn(&str) -> String) -> Result<(), TrackError> {
+    fn check(&self, check: &Check) -> Result<(), Mistake> {
         let possible = self.per_km.abs() <= GREATEST_CURVATURE;
         let wanted = "must lie between -20 and 20, the curvature of a radius of 50 m";
-        ensure(file, possible, || key("per_km"), self.per_km, wanted)?;
-        check_cant(file, self.cant_mm, key)
+        check.ensure(possible, "per_km", self.per_km, wanted)?;
+        check_cant(check, self.cant_mm)
     }
 }
 
 impl GradientPoint {
-    fn check(&self, file: &str, key: impl Fn(&str) -> String) -> Result<(), TrackError> {
-        let possible = (-100.0..=100.0).contains(&self.permille);
-        let wanted = "must lie between -100 and 100";
-        ensure(file, possible, || key("permille"), self.permille, wanted)
+    fn check(&self, check: &Check) -> Result<(), Mistake> {
+        check.between("permille", self.permille, -100.0, 100.0)
     }
 }
 
-fn check_cant(file: &str, cant_mm: f64, key: impl Fn(&str) -> String) -> Result<(), TrackError> {
+fn check_cant(check: &Check, cant_mm: f64) -> Result<(), Mistake> {
     let possible = (-300.0..=300.0).contains(&cant_mm);
-    ensure(file, possible, || key("cant_mm"), cant_mm, "must lie between -300 and 300 mm")
+    check.ensure(possible, "cant_mm", cant_mm, "must lie between -300 and 300 mm")
 }

@@ -1,9 +1,9 @@
 //! From the track file to the compiled track.
 
+use files::{Check, Mistake};
 use numerics::{Interpolation, Piecewise};
 
-use crate::error::TrackError;
-use crate::file::{Element, TrackFile};
+use crate::content::{Content, Element};
 use crate::track::{Piece, Track, TrackPoint};
 
 /// Distance between the middles of the two rail heads over which cant is measured, m.
@@ -12,24 +12,17 @@ const CANT_BASE: f64 = 1.5;
 /// Points of a function of the chainage: chainages, m, and values.
 type Points = (Vec<f64>, Vec<f64>);
 
-impl TrackFile {
-    pub(crate) fn compile(&self, file: &str) -> Result<Track, TrackError> {
+impl Content {
+    pub(crate) fn compile(&self, check: &Check) -> Result<Track, Mistake> {
         let function = |key: &'static str, (chainages, values): Points, between: Interpolation| {
             if let [first, second, ..] = chainages[..]
                 && first == second
             {
-                return Err(TrackError::Value {
-                    file: file.to_owned(),
-                    key: format!("{key}[2].chainage_m"),
-                    value: second,
-                    wanted: "a step needs a point before it, from which its first value holds",
-                });
+                let wanted = "a step needs a point before it, from which its first value holds";
+                return Err(check.error(&format!("{key}[2].chainage_m"), second, wanted));
             }
-            Piecewise::new(chainages, &values, between).map_err(|source| TrackError::Points {
-                file: file.to_owned(),
-                key,
-                source,
-            })
+            Piecewise::new(chainages, &values, between)
+                .map_err(|error| check.refuse(key, error.to_string()))
         };
         let (curvature, cant) = self.curvature_and_cant();
         let between = self.curvature_interpolation.into();

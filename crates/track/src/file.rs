@@ -1,132 +1,109 @@
-//! The track file: TOML, an alignment of elements, and gradients and curvatures by points.
-//!
-//! ```toml
-//! start_m = 300.0            # chainage at which the first element begins
-//! [[alignment]]
-//! length_m = 50.0
-//! transition = true          # curvature and cant go linearly to the next element's
-//! [[alignment]]
-//! length_m = 600.0
-//! radius_m = 800.0           # positive: right-hand curve; left out: straight
-//! cant_mm = 60.0
-//! [[alignment]]
-//! length_m = 50.0
-//! transition = true
-//! [[gradient]]               # constant outside the points
-//! chainage_m = 0.0
-//! permille = 2.0
-//! ```
-//!
-//! Instead of the alignment, the curvature may be given by points, `[[curvature]]` with
-//! `chainage_m`, `per_km` (1000 m over the radius) and `cant_mm`. Between the points the values go
-//! linearly, or, with `gradient_interpolation = "cubic"` or `curvature_interpolation = "cubic"`, by a
-//! cubic spline. A chainage that stands twice is a step, and the end of a spline.
-//!
-//! The sections `[irregularity]`, `[support]` and `[[friction]]` are those of `irregularity/file.rs`,
-//! `support.rs` and `friction.rs`.
+//! The track file: read once, and compiled into track, irregularities, support and friction.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use numerics::Interpolation;
-use serde::Deserialize;
+use files::{Document, Mistake};
 
-use crate::error::TrackError;
+use crate::content::Content;
+use crate::friction::Friction;
+use crate::irregularity::Irregularity;
+use crate::support::Support;
 use crate::track::Track;
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct TrackFile {
-    #[serde(default)]
-    pub start_m: f64,
-    #[serde(default)]
-    pub alignment: Vec<Element>,
-    #[serde(default)]
-    pub curvature: Vec<CurvaturePoint>,
-    #[serde(default)]
-    pub curvature_interpolation: Between,
-    #[serde(default)]
-    pub gradient: Vec<GradientPoint>,
-    #[serde(default)]
-    pub gradient_interpolation: Between,
-    /// Read by [`crate::Irregularity`]; stands here so that a wrong key in it is refused.
-    #[serde(default, rename = "irregularity")]
-    pub _irregularity: Option<crate::irregularity::Section>,
-    /// Read by [`crate::Support`].
-    #[serde(default, rename = "support")]
-    pub _support: Option<crate::support::Section>,
-    /// Read by [`crate::Friction`].
-    #[serde(default, rename = "friction")]
-    pub _friction: Vec<crate::friction::Point>,
+/// A track file (`content.rs` has its keys).
+#[derive(Debug)]
+pub struct TrackFile {
+    document: Document,
+    content: Content,
+    /// Folder of the file, in which the file with measured irregularities lies.
+    folder: PathBuf,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Element {
-    pub length_m: f64,
-    #[serde(default)]
-    pub transition: bool,
-    pub radius_m: Option<f64>,
-    #[serde(default)]
-    pub cant_mm: f64,
-}
+impl TrackFile {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// When it cannot be read, or has an unknown key or a value of another type.
+    pub fn read(file: &Path) -> Result<Self, Mistake> {
+        let folder = file.parent().unwrap_or(Path::new("")).to_owned();
+        Self::of(Document::read(file)?, folder)
+    }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct CurvaturePoint {
-    pub chainage_m: f64,
-    pub per_km: f64,
-    #[serde(default)]
-    pub cant_mm: f64,
-}
+    /// Takes a text; `name` stands in the error messages.
+    ///
+    /// # Errors
+    /// When it has an unknown key or a value of another type.
+    pub fn new(text: &str, name: &str) -> Result<Self, Mistake> {
+        Self::of(Document::new(name, text), PathBuf::new())
+    }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct GradientPoint {
-    pub chainage_m: f64,
-    pub permille: f64,
-}
+    fn of(document: Document, folder: PathBuf) -> Result<Self, Mistake> {
+        let content = document.parse()?;
+        Ok(Self { document, content, folder })
+    }
 
-/// What lies between two points.
-#[derive(Clone, Copy, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(crate) enum Between {
-    #[default]
-    Linear,
-    Cubic,
-}
+    /// Its text.
+    pub fn text(&self) -> &str {
+        self.document.text()
+    }
 
-impl From<Between> for Interpolation {
-    fn from(between: Between) -> Self {
-        match between {
-            Between::Linear => Self::Linear,
-            Between::Cubic => Self::Cubic,
-        }
+    /// The designed line.
+    ///
+    /// # Errors
+    /// When a value is not possible.
+    pub fn track(&self) -> Result<Track, Mistake> {
+        let check = self.document.check();
+        self.content.check(&check)?;
+        self.content.compile(&check)
+    }
+
+    /// The irregularities of the rails, with the file of measured ones that the track file may name.
+    ///
+    /// # Errors
+    /// When that file cannot be read, or a value is not possible.
+    pub fn irregularity(&self) -> Result<Irregularity, Mistake> {
+        let check = self.document.check().section("irregularity");
+        self.content.irregularity.compile(&check, &self.folder)
+    }
+
+    /// The support of the rails; none: the rails do not give way.
+    ///
+    /// # Errors
+    /// When a value is not possible.
+    pub fn support(&self) -> Result<Option<Support>, Mistake> {
+        let check = self.document.check().section("support");
+        self.content.support.as_ref().map(|section| section.compile(&check)).transpose()
+    }
+
+    /// How slippery the rails are.
+    ///
+    /// # Errors
+    /// When a value is not possible.
+    pub fn friction(&self) -> Result<Friction, Mistake> {
+        Friction::compile(&self.content.friction, &self.document.check())
+    }
+
+    /// The file with measured irregularities that it names, if it names one.
+    pub fn measured(&self) -> Option<PathBuf> {
+        self.content.irregularity.file().map(|file| self.folder.join(file))
     }
 }
 
 impl Track {
-    /// Reads a track file.
+    /// Reads the designed line of a track file.
     ///
     /// # Errors
     /// When the file cannot be read or a value in it is not possible.
-    pub fn from_file(file: &Path) -> Result<Self, TrackError> {
-        let name = file.display().to_string();
-        let text = std::fs::read_to_string(file)
-            .map_err(|source| TrackError::Read { file: name.clone(), source })?;
-        Self::from_toml(&text, &name)
+    pub fn from_file(file: &Path) -> Result<Self, Mistake> {
+        TrackFile::read(file)?.track()
     }
 
-    /// Compiles the text of a track file; `name` stands in the error messages.
+    /// Compiles the designed line of the text of a track file; `name` stands in the error messages.
     ///
     /// # Errors
     /// When a value is not possible.
-    pub fn from_toml(text: &str, name: &str) -> Result<Self, TrackError> {
-        let content: TrackFile = toml::from_str(text).map_err(|source| TrackError::Syntax {
-            file: name.to_owned(),
-            source: Box::new(source),
-        })?;
-        content.check(name)?;
-        content.compile(name)
+    pub fn from_toml(text: &str, name: &str) -> Result<Self, Mistake> {
+        TrackFile::new(text, name)?.track()
     }
 }
 
@@ -134,7 +111,7 @@ impl Track {
 mod tests {
     use super::*;
 
-    use crate::track::TrackPoint;
+    use crate::TrackPoint;
 
     const CURVE: &str = "
         start_m = 300.0
@@ -249,19 +226,24 @@ mod tests {
         let text =
             "gradient = [{ chainage_m = 9, permille = 1 }, { chainage_m = 8, permille = 1 }]";
         let message = Track::from_toml(text, "t.toml").err().unwrap().to_string();
-        assert!(message.contains("gradient: row 2: "), "{message}");
+        let wanted = "t.toml:1:48: gradient[2].chainage_m = 8: must not be less than 9, that of the point \
+                      before it";
+        assert!(message.starts_with(wanted), "{message}");
     }
 
     #[test]
     fn radius_of_zero_is_refused_with_key_and_remedy() {
         let error = Track::from_toml("alignment = [{ length_m = 1.0, radius_m = 0.0 }]", "t.toml");
         let message = error.unwrap_err().to_string();
-        assert!(message.starts_with("track file t.toml: alignment[1].radius_m = 0: must be"));
+        assert!(
+            message.starts_with("t.toml:1:43: alignment[1].radius_m = 0.0: must be at least 50 m")
+        );
     }
 
     #[test]
     fn unknown_key_is_refused_with_its_line() {
         let error = Track::from_toml("start_m = 0.0\nlenght = 3\n", "t.toml");
-        assert!(error.unwrap_err().to_string().contains("line 2"));
+        let message = error.unwrap_err().to_string();
+        assert!(message.starts_with("t.toml:2:1: there is no key `lenght`"), "{message}");
     }
 }

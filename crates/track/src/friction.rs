@@ -11,61 +11,38 @@
 //!
 //! Linear between the points, constant outside them; the same for both rails.
 
+use files::{Check, Mistake};
 use numerics::{Interpolation, Piecewise};
 use serde::Deserialize;
 
-use crate::TrackError;
+use crate::check::check_order;
 
 /// Factor of the friction coefficient along the track.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Friction(Option<Piecewise>);
 
-#[derive(Deserialize)]
+/// A point as it stands in the file.
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Point {
     chainage_m: f64,
     factor: f64,
 }
 
-/// The part of a track file that is read here; the rest is the track's.
-#[derive(Deserialize)]
-struct TrackFile {
-    #[serde(default)]
-    friction: Vec<Point>,
-}
-
 impl Friction {
-    /// The friction of the text of a track file; `name` stands in the error messages.
-    ///
-    /// # Errors
-    /// When a value is not possible.
-    pub fn from_toml(text: &str, name: &str) -> Result<Self, TrackError> {
-        let TrackFile { friction } = toml::from_str(text).map_err(|source| TrackError::Syntax {
-            file: name.to_owned(),
-            source: Box::new(source),
-        })?;
-        if friction.is_empty() {
+    /// The friction by points, if their values are possible.
+    pub(crate) fn compile(points: &[Point], check: &Check) -> Result<Self, Mistake> {
+        if points.is_empty() {
             return Ok(Self(None));
         }
-        for (i, point) in friction.iter().enumerate() {
-            if !(0.05..=3.0).contains(&point.factor) {
-                return Err(TrackError::Value {
-                    file: name.to_owned(),
-                    key: format!("friction[{}].factor", i + 1),
-                    value: point.factor,
-                    wanted: "must lie between 0.05 and 3",
-                });
-            }
+        for (i, point) in points.iter().enumerate() {
+            check.element("friction", i).between("factor", point.factor, 0.05, 3.0)?;
         }
+        check_order(check, "friction", points.iter().map(|point| point.chainage_m))?;
         let (chainages, factors): (Vec<f64>, Vec<f64>) =
-            friction.iter().map(|point| (point.chainage_m, point.factor)).unzip();
+            points.iter().map(|point| (point.chainage_m, point.factor)).unzip();
         let factor = Piecewise::new(chainages, &factors, Interpolation::Linear);
-        let factor = factor.map_err(|source| TrackError::Points {
-            file: name.to_owned(),
-            key: "friction",
-            source,
-        })?;
-        Ok(Self(Some(factor)))
+        factor.map(Some).map(Self).map_err(|error| check.refuse("friction", error.to_string()))
     }
 
     /// The factor at a chainage; `index` is any number at first and the place of the last lookup later.
@@ -78,22 +55,30 @@ impl Friction {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TrackFile;
+
+    fn friction(text: &str) -> Result<Friction, Mistake> {
+        TrackFile::new(text, "t.toml")?.friction()
+    }
 
     #[test]
     fn analytic_a_wet_stretch_dries() {
         let text = "friction = [
             { chainage_m = 100.0, factor = 1.0 }, { chainage_m = 100.0, factor = 0.5 },
             { chainage_m = 200.0, factor = 0.5 }, { chainage_m = 300.0, factor = 1.0 }]";
-        let friction = Friction::from_toml(text, "t.toml").unwrap();
-        let at = |chainage| friction.factor(chainage, &mut 0);
+        let wet = friction(text).unwrap();
+        let at = |chainage| wet.factor(chainage, &mut 0);
         assert_eq!([0.0, 150.0, 250.0, 400.0].map(at), [1.0, 0.5, 0.75, 1.0]);
-        assert_eq!(Friction::from_toml("", "t.toml").unwrap().factor(7.0, &mut 0), 1.0);
+        assert_eq!(friction("").unwrap().factor(7.0, &mut 0), 1.0);
     }
 
     #[test]
     fn a_factor_of_zero_is_refused_with_its_key() {
         let text = "friction = [{ chainage_m = 0.0, factor = 0.0 }]";
-        let message = Friction::from_toml(text, "t.toml").unwrap_err().to_string();
-        assert!(message.contains("friction[1].factor = 0: must lie between"), "{message}");
+        let message = friction(text).unwrap_err().to_string();
+        assert!(
+            message.contains("t.toml:1:43: friction[1].factor = 0.0: must lie between 0.05 and 3"),
+            "{message}"
+        );
     }
 }

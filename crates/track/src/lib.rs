@@ -2,8 +2,8 @@
 //!
 //! | file | part |
 //! |---|---|
-//! | `file.rs`, `check.rs` | the track file that people write, and what its values must be |
-//! | `error.rs` | why a track file cannot be used |
+//! | `content.rs`, `check.rs` | the keys of a track file, and what their values must be |
+//! | `file.rs` | the file is read, and each of its parts compiled |
 //! | `compile.rs` | from the file to the compiled track |
 //! | `track.rs` | the compiled track: what holds at a chainage |
 //! | `irregularity/` | where the rails lie besides their designed place |
@@ -15,14 +15,14 @@
 
 mod check;
 mod compile;
-mod error;
+mod content;
 mod file;
 mod friction;
 pub mod irregularity;
 mod support;
 mod track;
 
-pub use error::TrackError;
+pub use file::TrackFile;
 pub use friction::Friction;
 pub use irregularity::{Irregularity, RailOffset};
 pub use support::Support;

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use track::{Friction, Irregularity, Support, Track, TrackError};
+use files::Mistake;
+use track::{Friction, Irregularity, Support, Track, TrackFile};
 
 /// A line.
 #[derive(Clone, Debug)]
@@ -32,27 +33,35 @@ impl Line {
         }
     }
 
+    /// All that a track file says.
+    ///
+    /// # Errors
+    /// When a value in it is not possible.
+    pub fn new(file: &TrackFile) -> Result<Self, Mistake> {
+        Ok(Self {
+            track: file.track()?,
+            irregularity: file.irregularity()?,
+            support: file.support()?,
+            friction: file.friction()?,
+        })
+    }
+
     /// Reads all of a track file. Instances in one process share the line of a file that has not
     /// changed.
     ///
     /// # Errors
     /// When a file cannot be read or a value is not possible.
-    pub fn shared(file: &Path) -> Result<Arc<Self>, TrackError> {
-        let name = file.display().to_string();
-        let text = std::fs::read_to_string(file)
-            .map_err(|source| TrackError::Read { file: name.clone(), source })?;
+    pub fn shared(file: &Path) -> Result<Arc<Self>, Mistake> {
+        let content = TrackFile::read(file)?;
         let mut lines = LINES.lock().unwrap_or_else(PoisonError::into_inner);
         lines.retain(|(_, _, line)| Arc::strong_count(line) > 1);
-        if let Some((.., line)) = lines.iter().find(|(path, old, _)| path == file && *old == text) {
+        if let Some((.., line)) =
+            lines.iter().find(|(path, old, _)| path == file && *old == content.text())
+        {
             return Ok(Arc::clone(line));
         }
-        let line = Arc::new(Self {
-            track: Track::from_toml(&text, &name)?,
-            irregularity: Irregularity::from_track_file(file)?,
-            support: Support::from_toml(&text, &name)?,
-            friction: Friction::from_toml(&text, &name)?,
-        });
-        lines.push((file.to_owned(), text, Arc::clone(&line)));
+        let line = Arc::new(Self::new(&content)?);
+        lines.push((file.to_owned(), content.text().to_owned(), Arc::clone(&line)));
         Ok(line)
     }
 

@@ -10,12 +10,10 @@
 //! | `package.rs` | the files of the FMU, and its binary |
 //! | `terminals.rs` | the terminals |
 //! | `reference/` | the reference result that an FMU carries as a self-test |
-//! | `command.rs` | the command |
 //!
 //! The checkers of other makers each see a part of this (`docs/user-guide/fmus.md` has a table);
 //! a rule that any of them enforces is here.
 
-mod command;
 mod dependencies;
 mod description;
 mod elements;
@@ -36,7 +34,6 @@ mod units;
 use std::fmt;
 use std::path::Path;
 
-pub use command::{CheckArguments, command};
 use description::{Description, Element};
 pub(crate) use terminals::FILE as TERMINALS;
 

@@ -40,7 +40,7 @@ impl Workplace {
 }
 
 /// The scenario's folder names the run, or its file if it is not called `scenario.toml`.
-pub(crate) fn scenario_name(file: &Path) -> String {
+pub fn scenario_name(file: &Path) -> String {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let absolute = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let folder = absolute.parent().and_then(Path::file_name);
@@ -52,7 +52,7 @@ pub(crate) fn scenario_name(file: &Path) -> String {
 
 /// The folder for the results of a scenario or a package whose user names none: `results/<name>`, or
 /// with a number behind it if that is there: no run overwrites another.
-pub(crate) fn new_results(file: &Path) -> PathBuf {
+pub fn new_results(file: &Path) -> PathBuf {
     let name = scenario_name(&scenario::file_of(file));
     let candidate = |n: u32| match n {
         1 => PathBuf::from("results").join(&name),

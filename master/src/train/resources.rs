@@ -109,7 +109,8 @@ fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, 
         ("stock".to_owned(), scenario.stock.clone()),
     ]);
     // A track file that cannot be read is answered by the models, with all that is wrong in it.
-    if let Ok(Some(irregularities)) = track::irregularity::file_beside(&scenario.track.file) {
+    let track = track::TrackFile::read(&scenario.track.file);
+    if let Some(irregularities) = track.ok().and_then(|track| track.measured()) {
         let name = irregularities.file_name().unwrap_or_default();
         copy_file(&irregularities, &folder.join(name))?;
         origins.0.push((name.display().to_string(), irregularities));

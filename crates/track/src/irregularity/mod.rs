@@ -16,14 +16,9 @@ mod shape;
 mod spectrum;
 
 pub(crate) use file::Section;
-pub use file::file_beside;
-
-use std::path::Path;
 
 use grid::Grid;
 use shape::Shape;
-
-use crate::TrackError;
 
 /// Displacement of one rail from its designed place, and its change along the track.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -46,27 +41,6 @@ pub struct Irregularity {
 }
 
 impl Irregularity {
-    /// Reads the section `[irregularity]` of a track file, and the file with measured values
-    /// that it may name.
-    ///
-    /// # Errors
-    /// When a file cannot be read or a value is not possible.
-    pub fn from_track_file(file: &Path) -> Result<Self, TrackError> {
-        let name = file.display().to_string();
-        let text = std::fs::read_to_string(file)
-            .map_err(|source| TrackError::Read { file: name.clone(), source })?;
-        let folder = file.parent().unwrap_or(Path::new(""));
-        Section::of(&text, &name)?.compile(&name, folder)
-    }
-
-    /// The same from the text of a track file that names no other file.
-    ///
-    /// # Errors
-    /// When a value is not possible.
-    pub fn from_toml(text: &str, name: &str) -> Result<Self, TrackError> {
-        Section::of(text, name)?.compile(name, Path::new(""))
-    }
-
     /// Whether both rails lie where they are designed.
     pub fn is_none(&self) -> bool {
         self.grid.is_none() && self.shapes.is_empty()

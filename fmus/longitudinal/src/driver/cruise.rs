@@ -71,6 +71,7 @@ impl SpeedFile {
         for (i, &speed) in self.kmh.iter().enumerate() {
             check.between(&format!("kmh[{}]", i + 1), speed, 0.0, 500.0)?;
         }
+        check.rising("chainage_m", &self.chainage_m)?;
         let speeds = self.kmh.iter().map(|v| v / KMH).collect();
         LinearTable::new(self.chainage_m.clone(), speeds).map_err(|error| {
             check.error(

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use files::Document;
 use serde::Deserialize;
 use stock::{Check, StockError};
 
@@ -43,9 +44,9 @@ impl Driver {
     /// # Errors
     /// When the file cannot be read or a value in it is not possible.
     pub fn from_file(file: &Path) -> Result<Self, StockError> {
-        let content: DriverFile = stock::read_toml(file)?;
-        let name = file.display().to_string();
-        let check = Check::new(&name);
+        let document = Document::read(file)?;
+        let content: DriverFile = document.parse()?;
+        let check = document.check();
         let numbered = |section: &str, i: usize| check.section(&format!("{section}[{}]", i + 1));
         let profiles = content.profile.iter().enumerate();
         let remotes = content.remote.iter().enumerate();
@@ -73,15 +74,14 @@ impl DriverFile {
         let given: Vec<&str> = sections.iter().filter(|s| s.1).map(|s| s.0).collect();
         if let [first, second, ..] = given[..] {
             let wanted = format!("a driver is of one kind; leave it or {first} out");
-            return Err(check.error(second, "given", wanted));
+            return Err(check.refuse(second, wanted));
         }
         let levers = &check.section("levers");
         self.levers.check(levers)?;
         let speed = || match &self.speed {
             Some(speed) => speed.compile(&check.section("speed")),
             None => {
-                let wanted = "this driver needs [speed] with the speed to keep to";
-                Err(check.error("speed", "none", wanted))
+                Err(check.missing("speed", "this driver needs [speed] with the speed to keep to"))
             }
         };
         let levers = self.levers.clone();

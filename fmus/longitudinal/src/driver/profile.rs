@@ -47,15 +47,19 @@ impl ProfileFile {
         let (key, x) = match (&self.time_s, &self.chainage_m) {
             (Some(times), None) => ("time_s", times),
             (None, Some(chainages)) => ("chainage_m", chainages),
-            _ => {
-                let wanted = "a profile needs either time_s or chainage_m";
-                return Err(check.error("chainage_m", "none or both", wanted));
+            (None, None) => {
+                let what_for = "a profile needs either time_s or chainage_m";
+                return Err(check.missing("chainage_m", what_for));
+            }
+            (Some(_), Some(_)) => {
+                return Err(check.refuse("time_s", "leave either time_s or chainage_m out"));
             }
         };
         let greatest = if self.lever == Lever::TrainBrake { EMERGENCY } else { 1.0 };
         for (i, &value) in self.value.iter().enumerate() {
             check.between(&format!("value[{}]", i + 1), value, 0.0, greatest)?;
         }
+        check.rising(key, x)?;
         let table = LinearTable::new(x.clone(), self.value.clone())
             .map_err(|error| check.error(key, format!("{} values", x.len()), error.to_string()))?;
         Ok(Profile { lever: self.lever, by_time: key == "time_s", table })

@@ -17,6 +17,7 @@
 
 use std::path::Path;
 
+use files::{Document, Table, did_you_mean};
 use numerics::LinearTable;
 use serde::Deserialize;
 use stock::{Check, StockError};
@@ -106,23 +107,28 @@ fn highest_notch() -> f64 {
     HIGHEST_NOTCH
 }
 
-/// The rows of a logger's file.
-struct Table<'a> {
-    check: Check<'a>,
-    names: csv::StringRecord,
-    /// Line in the file and values.
-    rows: Vec<(u64, csv::StringRecord)>,
-}
-
 impl ReplayFile {
     pub(super) fn compile(&self, check: &Check, folder: &Path) -> Result<Replay, StockError> {
-        let path = folder.join(&self.file);
-        let name = path.display().to_string();
-        let table = Table::read(&path, &name, check)?;
-        let mut times = table.column("time", &self.time)?;
+        let document = Document::read(&folder.join(&self.file))?;
+        let log = Table::new(&document)?;
+        let column = |key: &str, name: &str| match log.column(name) {
+            Some(column) => Ok(column),
+            None => {
+                let names: Vec<&str> = log.names().collect();
+                let meant = did_you_mean(name, names.iter().copied());
+                let file = document.name();
+                let wanted = format!("{file} has no column of this name, but {names:?}{meant}");
+                Err(check.error(key, name, wanted))
+            }
+        };
+        let numbers = |column: usize| {
+            (0..log.len()).map(|row| log.number(row, column)).collect::<Result<Vec<f64>, _>>()
+        };
+        let time = column("time", &self.time)?;
+        let mut times = numbers(time)?;
         let start = times[0];
         times.iter_mut().for_each(|time| *time -= start);
-        self.check_times(&times, &table)?;
+        self.check_times(&times, &log, time)?;
 
         let unit = match self.speed_unit {
             SpeedUnit::Kmh => 3.6,
@@ -131,24 +137,25 @@ impl ReplayFile {
         };
         let linear = |values: Vec<f64>| {
             LinearTable::new(times.clone(), values)
-                .map_err(|error| table.check.error("rows", times.len(), error.to_string()))
+                .map_err(|error| log.error(0, time, error.to_string()))
         };
-        let lever = |key: &str, column: &Option<String>, full: f64, most: f64| {
+        let lever = |key: &str, name: &Option<String>, full: f64, most: f64| {
             check.positive(&format!("{key}_full"), full)?;
-            let Some(column) = column else { return Ok(Column::Zero) };
-            let values: Vec<f64> =
-                table.column(key, column)?.into_iter().map(|value| value / full).collect();
+            let Some(name) = name else { return Ok(Column::Zero) };
+            let column = column(key, name)?;
+            let values: Vec<f64> = numbers(column)?.into_iter().map(|value| value / full).collect();
             if let Some(i) = values.iter().position(|value| !(0.0..=most).contains(value)) {
                 let wanted = format!("must lie between 0 and {}", most * full);
-                return Err(table.error(i, column, values[i] * full, wanted));
+                return Err(log.error(i, column, wanted));
             }
             match self.resample {
                 Resample::Hold => Ok(Column::Hold(values)),
                 Resample::Linear => linear(values).map(Column::Linear),
             }
         };
+        let speed = numbers(column("speed", &self.speed)?)?;
         Ok(Replay {
-            speed: linear(table.column("speed", &self.speed)?.iter().map(|v| v / unit).collect())?,
+            speed: linear(speed.iter().map(|v| v / unit).collect())?,
             throttle: lever("throttle", &self.throttle, self.throttle_full, 1.0)?,
             dynamic_brake: lever(
                 "dynamic_brake",
@@ -168,68 +175,22 @@ impl ReplayFile {
     }
 
     /// The times must rise, without gaps.
-    fn check_times(&self, times: &[f64], table: &Table) -> Result<(), StockError> {
+    fn check_times(&self, times: &[f64], log: &Table, column: usize) -> Result<(), StockError> {
         for i in 1..times.len() {
             let gap = times[i] - times[i - 1];
             if gap <= 0.0 {
                 let wanted = "goes back: it must be later than the time before it";
-                return Err(table.error(i, &self.time, times[i], wanted));
+                return Err(log.error(i, column, wanted));
             }
             if gap > self.longest_gap_s {
                 let wanted = format!(
                     "a gap of {gap} s before this row is longer than longest_gap_s = {}",
                     self.longest_gap_s
                 );
-                return Err(table.error(i, &self.time, times[i], wanted));
+                return Err(log.error(i, column, wanted));
             }
         }
         Ok(())
-    }
-}
-
-impl<'a> Table<'a> {
-    fn read(path: &Path, name: &'a str, check: &Check) -> Result<Self, StockError> {
-        let failed = |error: csv::Error| check.error("file", name, error.to_string());
-        let mut reader =
-            csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(path).map_err(failed)?;
-        let names = reader.headers().map_err(failed)?.clone();
-        let mut rows = vec![];
-        for record in reader.into_records() {
-            let record = record.map_err(failed)?;
-            let line = record.position().map_or(0, csv::Position::line);
-            rows.push((line, record));
-        }
-        match rows.is_empty() {
-            true => Err(check.error("file", name, "has no rows behind its names")),
-            false => Ok(Self { check: Check::new(name), names, rows }),
-        }
-    }
-
-    fn error(
-        &self,
-        row: usize,
-        column: &str,
-        value: impl ToString,
-        wanted: impl Into<String>,
-    ) -> StockError {
-        self.check.error(&format!("line {}, column {column}", self.rows[row].0), value, wanted)
-    }
-
-    /// The numbers of the column `name`, which the key of the driver file names.
-    fn column(&self, key: &str, name: &str) -> Result<Vec<f64>, StockError> {
-        let Some(place) = self.names.iter().position(|own| own == name) else {
-            let names: Vec<&str> = self.names.iter().collect();
-            let wanted = format!("no column of the logger's file has this name; it has {names:?}");
-            return Err(self.check.error(key, name, wanted));
-        };
-        let number = |(row, (_, record)): (usize, &(u64, csv::StringRecord))| {
-            let text = record.get(place).unwrap_or_default();
-            match text.parse::<f64>() {
-                Ok(value) if value.is_finite() => Ok(value),
-                _ => Err(self.error(row, name, format!("\"{text}\""), "must be a number")),
-            }
-        };
-        self.rows.iter().enumerate().map(number).collect()
     }
 }
 

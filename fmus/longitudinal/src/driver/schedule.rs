@@ -110,10 +110,18 @@ impl Entry {
         let begin = match (self.from_s, self.from_m) {
             (Some(time), None) if time.is_finite() => Begin::Time(time),
             (None, Some(chainage)) if chainage.is_finite() => Begin::Chainage(chainage),
-            (time, _) => {
-                let value = time.map_or("none".to_owned(), |time| time.to_string());
-                let wanted = "a command needs either from_s, a time, or from_m, a chainage";
-                return Err(check.error("from_s", value, wanted));
+            (None, None) => {
+                let what_for = "a command needs either from_s, a time, or from_m, a chainage";
+                return Err(check.missing("from_s", what_for));
+            }
+            (Some(_), Some(_)) => {
+                return Err(check.refuse("from_s", "leave either from_s or from_m out"));
+            }
+            (Some(time), None) => {
+                return Err(check.error("from_s", time, "must be a finite time"));
+            }
+            (None, Some(chainage)) => {
+                return Err(check.error("from_m", chainage, "must be a finite chainage"));
             }
         };
         let notch = match (self.notch, self.throttle) {
@@ -154,11 +162,9 @@ mod tests {
     }
 
     fn schedule(text: &str) -> Result<Schedule, StockError> {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("driver.toml");
-        std::fs::write(&file, text).unwrap();
-        let file: File = stock::read_toml(&file)?;
-        Schedule::compile(&file.command, &Check::new("driver.toml"))
+        let document = files::Document::new("driver.toml", text);
+        let file: File = document.parse()?;
+        Schedule::compile(&file.command, &document.check())
     }
 
     #[test]
@@ -193,12 +199,14 @@ mod tests {
     #[test]
     fn a_notch_that_does_not_exist_is_refused_with_key_and_remedy() {
         let message = schedule("command = [{ from_s = 0, notch = 9 }]").unwrap_err().to_string();
-        assert!(message.contains("driver.toml: command[1].notch = 9: must lie between 0 and 8"));
+        assert!(
+            message.contains("driver.toml:1:35: command[1].notch = 9: must lie between 0 and 8")
+        );
     }
 
     #[test]
     fn a_command_without_beginning_is_refused() {
         let message = schedule("command = [{ notch = 1 }]").unwrap_err().to_string();
-        assert!(message.contains("command[1].from_s = none: a command needs either"));
+        assert!(message.contains("command[1].from_s is missing: a command needs either"));
     }
 }

@@ -61,8 +61,9 @@ pub struct RailFile {
     pub centroid_above_foot_mm: f64,
     /// Published second moment about the horizontal axis, mm⁴.
     pub second_moment_mm4: f64,
-    /// Right half from the crown to the middle of the foot: half width, height above the foot,
-    /// radius of the fillet, mm.
+    /// Corners of the right half from the crown to the middle of the foot, mm.
+    ///
+    /// Each has a half width, a height above the foot and the radius of its fillet.
     corners_mm: Vec<[f64; 3]>,
 }
 
@@ -119,11 +120,11 @@ impl RailFile {
                 "corners_mm: every value must be a number that is not negative".to_owned(),
             );
         }
-        if let Some(place) = corners.iter().position(|corner| corner[1] > self.height_mm) {
+        if let Some(index) = corners.iter().position(|corner| corner[1] > self.height_mm) {
             return Some(format!(
                 "corners_mm[{}]: the height {} is above the crown: must be at most height_mm = {}",
-                place + 1,
-                corners[place][1],
+                index + 1,
+                corners[index][1],
                 self.height_mm
             ));
         }
@@ -137,8 +138,8 @@ impl RailFile {
         }
         let outline = match self.try_outline() {
             Ok(outline) => outline,
-            Err(place) => {
-                let (number, radius) = (place + 1, corners[place][2]);
+            Err(index) => {
+                let (number, radius) = (index + 1, corners[index][2]);
                 return Some(format!(
                     "corners_mm[{number}]: the radius {radius} mm does not fit between the corners \
                      before and after it"

@@ -1,6 +1,6 @@
 //! The cut section and its modes.
 
-use railheat::material::Material;
+use railheat::contact::Material;
 use railheat::section::{Cells, Modes, RailFile};
 
 use crate::energy_common::outline;

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use track::{Friction, Irregularity, Support, Track};
+use track::TrackFile;
 use vehicle::dynamics::Dynamics;
 use vehicle::inputs::Inputs;
 use vehicle::line::Line;
@@ -122,12 +122,7 @@ const FREE_WHEELSETS: &str = r#"
 
 /// A vehicle that starts at chainage 1000 m.
 pub fn started(structure: Arc<Structure>, track: &str, speed: f64, inputs: &Inputs) -> Dynamics {
-    let line = Line {
-        track: Track::from_toml(track, "test").unwrap(),
-        irregularity: Irregularity::from_toml(track, "test").unwrap(),
-        support: Support::from_toml(track, "test").unwrap(),
-        friction: Friction::from_toml(track, "test").unwrap(),
-    };
+    let line = Line::new(&TrackFile::new(track, "test").unwrap()).unwrap();
     let mut vehicle = Dynamics::new(structure, Arc::new(line));
     let equilibrium = vehicle.start(1000.0, speed, inputs);
     assert!(equilibrium.reached, "{speed} m/s: {equilibrium:?}");

@@ -23,7 +23,7 @@ pub mod vehicle_output;
 pub const SIDES: [&str; 2] = ["left", "right"];
 
 /// What an FMU does in a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// The train: one degree of freedom a vehicle.
     Longitudinal,

@@ -1,0 +1,113 @@
+//! `hotfoot check`: an FMU against the rules of FMI 2.0, for a role, and against its reference result.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use hotfoot::Import;
+use hotfoot::check::reference::{self, Verdict};
+use hotfoot::check::{self, Severity, rules};
+use hotfoot::roles;
+use miette::{IntoDiagnostic, Result, miette};
+
+use crate::supervise;
+
+/// Arguments of `hotfoot check`.
+#[derive(Args)]
+pub struct CheckArguments {
+    /// FMU
+    #[arg(required_unless_present = "rules")]
+    fmu: Option<PathBuf>,
+    /// Also say whether the FMU can fill this role in the train, and what it lacks
+    #[arg(long = "as", value_enum)]
+    role: Option<Role>,
+    /// Also run the reference result that the FMU carries, and compare
+    #[arg(long)]
+    replay: bool,
+    /// List the rules for a modelDescription.xml and do nothing else
+    #[arg(long)]
+    rules: bool,
+}
+
+/// What an FMU does in a run.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Role {
+    /// The train: one degree of freedom a vehicle
+    Longitudinal,
+    /// One vehicle in three dimensions
+    Vehicle,
+    /// One rail's temperature
+    Railheat,
+}
+
+impl From<Role> for roles::Role {
+    fn from(role: Role) -> Self {
+        match role {
+            Role::Longitudinal => Self::Longitudinal,
+            Role::Vehicle => Self::Vehicle,
+            Role::Railheat => Self::Railheat,
+        }
+    }
+}
+
+/// Checks an FMU against the rules of FMI 2.0, for a role, and against its reference result.
+///
+/// # Errors
+/// When a rule is broken, the FMU does not fit the role, or it gives another result; the error
+/// says all that was found.
+pub fn check(arguments: &CheckArguments) -> Result<()> {
+    if arguments.rules {
+        for rule in rules() {
+            println!("{:<32} {}", rule.name, rule.wants);
+        }
+        return Ok(());
+    }
+    let Some(fmu) = &arguments.fmu else { return Ok(()) };
+    match supervise::is_child() {
+        true => check_here(fmu, arguments),
+        false => {
+            supervise::in_child(&[], || Err(miette!("{} has crashed the check", fmu.display())))
+        }
+    }
+}
+
+fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {
+    let mut problems = broken_rules(fmu);
+    if problems.is_empty() {
+        println!("{} keeps the rules of FMI 2.0", fmu.display());
+    }
+    if let Some(role) = arguments.role {
+        problems.extend(unfit(fmu, role)?);
+    }
+    if arguments.replay {
+        match reference::compare(fmu).into_diagnostic()? {
+            Verdict::Same(agreement) => println!("{agreement}"),
+            Verdict::Different(differences) => problems.extend(differences),
+        }
+    }
+    match problems.is_empty() {
+        true => Ok(()),
+        false => Err(miette!("{}:\n{}", fmu.display(), problems.join("\n"))),
+    }
+}
+
+/// The rules that are broken; advice is printed at once, as it makes no FMU wrong.
+fn broken_rules(fmu: &Path) -> Vec<String> {
+    let (advice, errors): (Vec<_>, Vec<_>) =
+        check::check(fmu).into_iter().partition(|finding| finding.severity == Severity::Advice);
+    for finding in advice {
+        println!("{finding}");
+    }
+    errors.iter().map(ToString::to_string).collect()
+}
+
+/// What the FMU lacks for a role.
+fn unfit(fmu: &Path, role: Role) -> Result<Vec<String>> {
+    let import = Import::open(fmu).into_diagnostic()?;
+    let missing = roles::missing(import.interface(), role.into());
+    if missing.is_empty() {
+        println!("{} can be used as {role:?}", fmu.display());
+        return Ok(vec![]);
+    }
+    let heading = format!("it cannot be used as {role:?}:");
+    Ok(std::iter::once(heading).chain(missing).collect())
+}

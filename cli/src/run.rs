@@ -1,0 +1,107 @@
+//! `hotfoot run`: a scenario or a package, in a child process.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use hotfoot::recording;
+use hotfoot::run::{self, Options, workplace};
+use hotfoot::scenario::Times;
+use hotfoot::ssp::{self, SystemOptions};
+use miette::{IntoDiagnostic, Result, miette};
+
+use crate::supervise;
+
+/// Arguments of `hotfoot run`.
+#[derive(Args)]
+pub struct RunArguments {
+    /// Scenario: its folder or file; or an SSP package of any FMUs
+    scenario: PathBuf,
+    /// Threads for the vehicles; left out: all cores
+    #[arg(long)]
+    threads: Option<usize>,
+    /// Folder of the results; left out: a new one in `results`
+    #[arg(long)]
+    results: Option<PathBuf>,
+    /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
+    #[arg(long)]
+    fmus: Option<PathBuf>,
+    /// Simulated time in place of the scenario's or package's, s
+    #[arg(long)]
+    duration: Option<f64>,
+    /// Step of the exchange in place of the scenario's or package's, s
+    #[arg(long)]
+    step: Option<f64>,
+    /// Time between two records in place of the scenario's, s; of an SSP package, left out: 0.1
+    #[arg(long)]
+    interval: Option<f64>,
+    /// Show no progress
+    #[arg(long)]
+    quiet: bool,
+}
+
+/// Runs a scenario in a child process, tells where the results are, and the main figures.
+///
+/// # Errors
+/// When the scenario is wrong, a unit fails or crashes.
+pub fn run(arguments: &RunArguments) -> Result<()> {
+    if supervise::is_child() {
+        return run_here(arguments);
+    }
+    let results =
+        arguments.results.clone().unwrap_or_else(|| workplace::new_results(&arguments.scenario));
+    let further = match arguments.results {
+        Some(_) => vec![],
+        None => vec!["--results".into(), results.clone().into_os_string()],
+    };
+    supervise::in_child(&further, || {
+        let series = results.join("series");
+        if !series.exists() {
+            return Err(miette!("an FMU has crashed the run before anything was recorded"));
+        }
+        recording::complete(&series).into_diagnostic()?;
+        Err(miette!(
+            "an FMU has crashed the run; the results until then are in {}",
+            results.display()
+        ))
+    })
+}
+
+fn run_here(arguments: &RunArguments) -> Result<()> {
+    if arguments.scenario.extension().is_some_and(|extension| extension == "ssp") {
+        return run_system(arguments);
+    }
+    let options = Options {
+        threads: arguments.threads,
+        results: arguments.results.clone(),
+        fmus: arguments.fmus.clone().unwrap_or_else(default_fmus),
+        times: Times {
+            duration: arguments.duration,
+            step: arguments.step,
+            interval: arguments.interval,
+        },
+        quiet: arguments.quiet,
+    };
+    let finished = run::run(&arguments.scenario, &options)?;
+    println!("{finished}");
+    Ok(())
+}
+
+fn run_system(arguments: &RunArguments) -> Result<()> {
+    let options = SystemOptions {
+        threads: arguments.threads,
+        results: arguments.results.clone(),
+        duration: arguments.duration,
+        step: arguments.step,
+        interval: arguments.interval,
+        quiet: arguments.quiet,
+    };
+    println!("{}", ssp::run(&arguments.scenario, &options)?);
+    Ok(())
+}
+
+/// `fmus` beside the folder of the program: `target/fmus` for `target/release/hotfoot`.
+pub fn default_fmus() -> PathBuf {
+    let program = std::env::current_exe().unwrap_or_default();
+    let folder = program.parent().and_then(Path::parent).unwrap_or(Path::new("."));
+    folder.join("fmus")
+}

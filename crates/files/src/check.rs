@@ -1,0 +1,222 @@
+//! What the values of a TOML file must be.
+
+use crate::document::Document;
+use crate::key::{self, Found};
+use crate::mistake::{Mark, Mistake};
+
+/// Characters of a value that a message repeats: a longer one is marked only.
+const LONGEST_VALUE: usize = 40;
+
+/// Checks the values of a document, or of one section of it.
+///
+/// Keys are written as in `key.rs`, the elements of lists numbered from 1.
+#[derive(Clone, Debug)]
+pub struct Check<'a> {
+    document: &'a Document,
+    section: String,
+}
+
+impl<'a> Check<'a> {
+    /// Checks the values of a document.
+    pub fn new(document: &'a Document) -> Self {
+        Self { document, section: String::new() }
+    }
+
+    /// Checks the values of a section, whose name then stands before each key.
+    #[must_use]
+    pub fn section(&self, name: &str) -> Self {
+        Self { section: format!("{}{name}.", self.section), ..*self }
+    }
+
+    /// Checks the values of an element of a list of sections; `index` counts from 0.
+    #[must_use]
+    pub fn element(&self, list: &str, index: usize) -> Self {
+        self.section(&format!("{list}[{}]", index + 1))
+    }
+
+    /// A value that is not possible, as the file has it if it is there, and what would be right.
+    pub fn error(&self, key: &str, value: impl ToString, wanted: impl Into<String>) -> Mistake {
+        let key = self.full(key);
+        let (mark, written) = match key::find(self.document.text(), &key) {
+            Some(Found::Value(bytes)) => {
+                (Some(bytes.clone()), self.document.text().get(bytes).map(str::to_owned))
+            }
+            Some(Found::Holder(bytes)) => (Some(bytes), None),
+            None => (None, None),
+        };
+        let value = written.unwrap_or_else(|| value.to_string());
+        let wanted = wanted.into();
+        let sentence = match value.chars().count() <= LONGEST_VALUE && !value.contains('\n') {
+            true => format!("{key} = {value}: {wanted}"),
+            false => format!("{key}: {wanted}"),
+        };
+        self.mistake(mark, sentence)
+    }
+
+    /// A section or key as a whole that cannot be, and why.
+    pub fn refuse(&self, key: &str, why: impl AsRef<str>) -> Mistake {
+        self.about(key, &format!(": {}", why.as_ref()))
+    }
+
+    /// A key that is needed and not there, and what for.
+    pub fn missing(&self, key: &str, what_for: impl AsRef<str>) -> Mistake {
+        self.about(key, &format!(" is missing: {}", what_for.as_ref()))
+    }
+
+    fn about(&self, key: &str, rest: &str) -> Mistake {
+        let key = self.full(key);
+        let mark = key::find(self.document.text(), &key).map(|found| match found {
+            Found::Value(bytes) | Found::Holder(bytes) => bytes,
+        });
+        self.mistake(mark, format!("{key}{rest}"))
+    }
+
+    fn full(&self, key: &str) -> String {
+        format!("{}{key}", self.section)
+    }
+
+    fn mistake(&self, mark: Option<std::ops::Range<usize>>, sentence: String) -> Mistake {
+        let mark = mark.map(|bytes| Mark::new(self.document.text(), bytes));
+        Mistake { mark, ..Mistake::in_file(self.document.name(), sentence) }
+    }
+
+    /// A value for which `possible` holds; `wanted` says in words what that is.
+    ///
+    /// # Errors
+    /// When it does not hold.
+    pub fn ensure(
+        &self,
+        possible: bool,
+        key: &str,
+        value: impl ToString,
+        wanted: &str,
+    ) -> Result<(), Mistake> {
+        match possible {
+            true => Ok(()),
+            false => Err(self.error(key, value, wanted)),
+        }
+    }
+
+    /// A finite number greater than zero.
+    ///
+    /// # Errors
+    /// When it is not.
+    pub fn positive(&self, key: &str, value: f64) -> Result<(), Mistake> {
+        let possible = value.is_finite() && value > 0.0;
+        self.ensure(possible, key, value, "must be greater than zero")
+    }
+
+    /// A number from `low` to `high`.
+    ///
+    /// # Errors
+    /// When it is not.
+    pub fn between(&self, key: &str, value: f64, low: f64, high: f64) -> Result<(), Mistake> {
+        let possible = value >= low && value <= high;
+        self.ensure(possible, key, value, &format!("must lie between {low} and {high}"))
+    }
+
+    /// Numbers that rise from each to the next.
+    ///
+    /// # Errors
+    /// When one does not, which is named.
+    pub fn rising(&self, key: &str, values: &[f64]) -> Result<(), Mistake> {
+        match (1..values.len()).find(|&i| !(values[i].is_finite() && values[i] > values[i - 1])) {
+            None => Ok(()),
+            Some(i) => {
+                let wanted = format!("must be greater than the value before it, {}", values[i - 1]);
+                Err(self.error(&format!("{key}[{}]", i + 1), values[i], wanted))
+            }
+        }
+    }
+
+    /// Two columns of a table: equally long, at least `rows`, the first one rising from row to
+    /// row and beginning at zero, the second one without negative values.
+    ///
+    /// # Errors
+    /// When one of this does not hold.
+    pub fn columns(
+        &self,
+        (x_key, x): (&str, &[f64]),
+        (y_key, y): (&str, &[f64]),
+        rows: usize,
+    ) -> Result<(), Mistake> {
+        if x.len() < rows || x.len() != y.len() {
+            let wanted = format!("needs at least {rows} values, and as many as {y_key}");
+            return Err(self.error(x_key, format!("{x:?}"), wanted));
+        }
+        self.ensure(x[0] == 0.0, &format!("{x_key}[1]"), x[0], "must be zero")?;
+        self.rising(x_key, x)?;
+        match y.iter().position(|y| !(y.is_finite() && *y >= 0.0)) {
+            None => Ok(()),
+            Some(i) => {
+                let key = format!("{y_key}[{}]", i + 1);
+                Err(self.error(&key, y[i], "must not be negative"))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn gear() -> Document {
+        Document::new(
+            "gear.toml",
+            "[loading]\ndeflection_mm = [0, 40, 20.0]\nforce_kn = [0, -1, 5]\n",
+        )
+    }
+
+    #[test]
+    fn a_value_is_told_as_it_is_written_and_marked() {
+        let gear = gear();
+        let check = gear.check().section("loading");
+        let columns = |x: &[f64]| {
+            check.columns(("deflection_mm", x), ("force_kn", &[0.0, -1.0, 5.0]), 2).unwrap_err()
+        };
+        assert_eq!(
+            columns(&[0.0, 40.0, 20.0]).to_string(),
+            "gear.toml:2:25: loading.deflection_mm[3] = 20.0: must be greater than the value before \
+             it, 40\n  |\n2 | deflection_mm = [0, 40, 20.0]\n  |                         ^^^^"
+        );
+        let negative = columns(&[0.0, 40.0, 50.0]).to_string();
+        assert!(negative.starts_with("gear.toml:3:16: loading.force_kn[2] = -1: must not be"));
+        let short = columns(&[0.0]).to_string();
+        let wanted =
+            "loading.deflection_mm = [0, 40, 20.0]: needs at least 2 values, and as many as";
+        assert!(short.contains(wanted), "{short}");
+    }
+
+    #[test]
+    fn what_is_missing_is_looked_for_in_its_section() {
+        let gear = gear();
+        let mistake =
+            gear.check().section("loading").missing("source", "where the values are from");
+        assert_eq!(mistake.mark.as_ref().map(|mark| mark.line), Some(1));
+        assert_eq!(mistake.sentence, "loading.source is missing: where the values are from");
+        assert_eq!(gear.check().missing("name", "a name").mark, None);
+    }
+
+    #[test]
+    fn bounds_hold_with_their_ends_and_not_for_what_is_no_number() {
+        let gear = gear();
+        let check = gear.check();
+        assert!(
+            check.between("x", 1.0, 0.0, 1.0).is_ok() && check.between("x", 0.0, 0.0, 1.0).is_ok()
+        );
+        assert!(check.between("x", f64::NAN, 0.0, 1.0).is_err());
+        assert!(check.positive("x", f64::INFINITY).is_err() && check.positive("x", 0.0).is_err());
+        let told = check.positive("x", -2.0).unwrap_err().to_string();
+        assert_eq!(told, "gear.toml: x = -2: must be greater than zero");
+    }
+
+    /// A value of many lines would hide the sentence.
+    #[test]
+    fn a_long_value_is_marked_only() {
+        let text = format!("x = [{}]", "1, ".repeat(30));
+        let file = Document::new("f.toml", text);
+        let mistake = file.check().error("x", "", "is too long");
+        assert_eq!(mistake.sentence, "x: is too long");
+        assert_eq!(mistake.mark.map(|mark| mark.column), Some(5));
+    }
+}

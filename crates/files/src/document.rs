@@ -1,0 +1,181 @@
+//! The text of a file with its name.
+
+use std::io::{self, ErrorKind};
+use std::ops::Range;
+use std::path::Path;
+
+use serde::de::DeserializeOwned;
+
+use crate::check::Check;
+use crate::key::{self, Found};
+use crate::mistake::{Mark, Mistake};
+use crate::nearest::did_you_mean;
+use crate::structure;
+
+/// The text of a file that a person wrote, with the name that messages give it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    name: String,
+    text: String,
+}
+
+impl Document {
+    /// A text that is there already.
+    pub fn new(name: impl ToString, text: impl Into<String>) -> Self {
+        Self { name: name.to_string(), text: text.into() }
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// When there is no such file, it cannot be read, or it is no text in UTF-8.
+    pub fn read(path: &Path) -> Result<Self, Mistake> {
+        let name = path.display().to_string();
+        let bytes = std::fs::read(path)
+            .map_err(|error| Mistake::in_file(&name, unreadable(path, &error)))?;
+        match String::from_utf8(bytes) {
+            Ok(text) => Ok(Self { name, text }),
+            Err(error) => {
+                let good = error.utf8_error().valid_up_to();
+                let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+                let sentence = "is no text in UTF-8 from here on; save the file as UTF-8";
+                Err(Self { name, text }.mistake(good..good + 1, sentence))
+            }
+        }
+    }
+
+    /// Name of the file.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// What the TOML text says, as the structure `T`.
+    ///
+    /// # Errors
+    /// When it is not TOML, lacks a key, has an unknown one, or a value of another type.
+    pub fn parse<T: DeserializeOwned>(&self) -> Result<T, Mistake> {
+        toml::from_str(&self.text).map_err(|error| structure::mistake::<T>(self, &error))
+    }
+
+    /// What a table says, put together of this document's keys and those of others, as the structure `T`.
+    ///
+    /// # Errors
+    /// As of [`Document::parse`]; a key that stands in this document is marked in it.
+    pub fn parse_table<T: DeserializeOwned>(&self, table: &toml::Table) -> Result<T, Mistake> {
+        table.clone().try_into().or_else(|_| {
+            // A text of the whole table gives the mistake its key, which is then looked up here.
+            let whole = Self::new(&self.name, table.to_string());
+            toml::from_str(&whole.text).map_err(|error| {
+                let mark = error.span().and_then(|span| {
+                    match key::find(&self.text, &key::at(&whole.text, span.start))? {
+                        Found::Value(bytes) => Some(Mark::new(&self.text, bytes)),
+                        Found::Holder(_) => None,
+                    }
+                });
+                Mistake { mark, ..structure::mistake::<T>(&whole, &error) }
+            })
+        })
+    }
+
+    /// Checks for the values of the TOML text.
+    pub fn check(&self) -> Check<'_> {
+        Check::new(self)
+    }
+
+    /// A mistake in these bytes of the text.
+    pub fn mistake(&self, bytes: Range<usize>, sentence: impl Into<String>) -> Mistake {
+        let mark = Some(Mark::new(&self.text, bytes));
+        Mistake { mark, ..Mistake::in_file(&self.name, sentence) }
+    }
+}
+
+/// Why a file cannot be read, in words, with the name of the file beside it that may be meant.
+fn unreadable(path: &Path, error: &io::Error) -> String {
+    match error.kind() {
+        ErrorKind::NotFound => {
+            let folder = match path.parent() {
+                Some(folder) if folder.as_os_str().is_empty() => Path::new("."),
+                Some(folder) => folder,
+                None => return "there is no such file".to_owned(),
+            };
+            let Ok(entries) = std::fs::read_dir(folder) else {
+                return format!(
+                    "there is no such file, as there is no folder {}",
+                    folder.display()
+                );
+            };
+            let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+            let mut names: Vec<String> = names.collect();
+            names.sort();
+            let wanted = path.file_name().unwrap_or_default().to_string_lossy();
+            let meant = did_you_mean(&wanted, names.iter().map(String::as_str));
+            format!("there is no such file{meant}")
+        }
+        ErrorKind::IsADirectory => "is a folder, not a file".to_owned(),
+        _ => format!("cannot be read: {error}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(path: &Path) -> String {
+        Document::read(path).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn a_missing_file_is_answered_with_the_one_that_is_meant() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("track.toml"), "").unwrap();
+        let told = message(&folder.path().join("trak.toml"));
+        assert!(told.ends_with("trak.toml: there is no such file; did you mean `track.toml`?"));
+        let told = message(&folder.path().join("weather.csv"));
+        assert!(told.ends_with("weather.csv: there is no such file"), "{told}");
+        let told = message(&folder.path().join("nowhere/track.toml"));
+        assert!(told.contains("there is no folder") && told.ends_with("nowhere"), "{told}");
+        let told = message(folder.path());
+        assert!(told.ends_with("is a folder, not a file"), "{told}");
+    }
+
+    /// A vehicle that extends another is such a table.
+    #[test]
+    fn a_mistake_in_a_table_of_several_documents_is_marked_in_its_own() {
+        #[derive(Debug, serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        #[expect(dead_code, reason = "read by serde only")]
+        struct Vehicle {
+            mass_kg: f64,
+            length_m: f64,
+        }
+        let own = Document::new("own.toml", "extends = \"base\"\nmass_kg = \"12\"\n");
+        let mut table: toml::Table = own.parse().unwrap();
+        table.remove("extends");
+        let base = toml::toml! { length_m = 20.0 };
+        table.extend(base);
+        let message = own.parse_table::<Vehicle>(&table).unwrap_err().to_string();
+        let wanted = "own.toml:2:11: mass_kg = \"12\": must be a number, without quotes";
+        assert!(message.starts_with(wanted), "{message}");
+        table.insert("mass_kg".to_owned(), 12.0.into());
+        assert_eq!(own.parse_table::<Vehicle>(&table).unwrap().length_m, 20.0);
+        // What the other document has wrong has no mark in this one.
+        table.insert("length_m".to_owned(), true.into());
+        let message = own.parse_table::<Vehicle>(&table).unwrap_err().to_string();
+        assert_eq!(message, "own.toml: length_m = true: must be a number");
+    }
+
+    #[test]
+    fn a_text_that_is_not_utf_8_is_answered_with_line_and_column() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("latin1.toml");
+        std::fs::write(&file, b"a = 1\nname = \"M\xfcller\"\n").unwrap();
+        let told = message(&file);
+        assert!(told.contains("latin1.toml:2:10: is no text in UTF-8"), "{told}");
+        assert!(told.contains("save the file as UTF-8"), "{told}");
+    }
+}

@@ -1,0 +1,35 @@
+//! The files that people write: how they are read, and how a mistake in one is told.
+//!
+//! Scenario, track, vehicles, trains, drivers, rails, loggers and weather all come through here, so that a
+//! mistake always reads the same:
+//!
+//! ```text
+//! track.toml:7:12: alignment[2].radius_m = 0: must be at least 50 m
+//!   |
+//! 7 | radius_m = 0
+//!   |            ^
+//! ```
+//!
+//! | file | part |
+//! |---|---|
+//! | `document.rs` | a [`Document`]: the text of a file with its name |
+//! | `mistake.rs` | a [`Mistake`]: file, line, column, and a sentence |
+//! | `check.rs` | a [`Check`]: what the values of a TOML file must be |
+//! | `key.rs` | where the value of a key stands, and which key stands there |
+//! | `structure.rs` | what a file's structure lacks: the messages of TOML and serde in plain words |
+//! | `table.rs` | a [`Table`]: rows of comma-separated values |
+//! | `nearest.rs` | the name that was meant |
+
+mod check;
+mod document;
+mod key;
+mod mistake;
+mod nearest;
+mod structure;
+mod table;
+
+pub use check::Check;
+pub use document::Document;
+pub use mistake::{Mark, Mistake};
+pub use nearest::{did_you_mean, nearest};
+pub use table::Table;

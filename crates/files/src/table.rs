@@ -1,0 +1,190 @@
+//! Rows of comma-separated values below a line with the names of the columns.
+
+use std::ops::Range;
+
+use csv::{Position, ReaderBuilder, StringRecord, Trim};
+
+use crate::document::Document;
+use crate::mistake::Mistake;
+
+/// The rows of a document.
+#[derive(Debug)]
+pub struct Table<'a> {
+    document: &'a Document,
+    names: StringRecord,
+    /// The byte at which each row begins, and its values.
+    rows: Vec<(usize, StringRecord)>,
+}
+
+impl<'a> Table<'a> {
+    /// Takes a document apart; every row must have as many values as there are names.
+    ///
+    /// # Errors
+    /// When one has not, or there is no row.
+    pub fn new(document: &'a Document) -> Result<Self, Mistake> {
+        let text = document.text();
+        let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(text.as_bytes());
+        let fail = |error: &csv::Error| broken(document, error);
+        let names = reader.headers().map_err(|error| fail(&error))?.clone();
+        let separators = text.lines().next().unwrap_or_default();
+        if names.len() == 1 && separators.contains([';', '\t']) {
+            let sentence = "values are separated by commas and have decimal points";
+            let at = separators.find([';', '\t']).unwrap_or_default();
+            return Err(document.mistake(at..at + 1, sentence));
+        }
+        let mut rows = vec![];
+        for record in reader.into_records() {
+            let record = record.map_err(|error| fail(&error))?;
+            rows.push((record.position().map_or(0, byte), record));
+        }
+        match rows.is_empty() {
+            true => {
+                let sentence = "has no rows below the names of its columns";
+                Err(Mistake::in_file(document.name(), sentence))
+            }
+            false => Ok(Self { document, names, rows }),
+        }
+    }
+
+    /// The names of the columns in order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.iter()
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there are no rows, which [`Table::new`] refuses.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// The number of the column with this name, from 0.
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.names().position(|own| own == name)
+    }
+
+    /// The number in a row and a column, both counted from 0.
+    ///
+    /// # Errors
+    /// When it is not a finite number.
+    pub fn number(&self, row: usize, column: usize) -> Result<f64, Mistake> {
+        let text = self.rows[row].1.get(column).unwrap_or_default();
+        match text.parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            _ => Err(self.error(row, column, "must be a number")),
+        }
+    }
+
+    /// A mistake in a value: its column and it as the file has it, and what would be right.
+    pub fn error(&self, row: usize, column: usize, wanted: impl AsRef<str>) -> Mistake {
+        let (begin, record) = &self.rows[row];
+        let name = self.names.get(column).unwrap_or_default();
+        let value = record.get(column).unwrap_or_default();
+        let sentence = format!("{name} = {value}: {}", wanted.as_ref());
+        self.document.mistake(cell(self.document.text(), *begin, column), sentence)
+    }
+
+    /// A mistake in the names of the columns.
+    pub fn error_in_names(&self, sentence: impl Into<String>) -> Mistake {
+        let end = self.document.text().lines().next().map_or(0, str::len);
+        self.document.mistake(0..end, sentence)
+    }
+}
+
+/// A file that is no table.
+fn broken(document: &Document, error: &csv::Error) -> Mistake {
+    let begin = error.position().map_or(0, byte);
+    let sentence = match error.kind() {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            format!("this row has {len} values, but the rows above it have {expected_len}")
+        }
+        _ => error.to_string(),
+    };
+    let line = document.text()[begin..].lines().next().unwrap_or_default();
+    document.mistake(begin..begin + line.len(), sentence)
+}
+
+fn byte(position: &Position) -> usize {
+    position.byte() as usize
+}
+
+/// The bytes of a value in the row that begins at byte `begin`, without the spaces around it.
+fn cell(text: &str, begin: usize, column: usize) -> Range<usize> {
+    // A row may begin behind line ends that the reader has passed over.
+    let begin = begin + text[begin..].len() - text[begin..].trim_start_matches(['\r', '\n']).len();
+    let mut in_quotes = false;
+    let mut ends = text[begin..].char_indices().filter_map(|(i, c)| {
+        in_quotes ^= c == '"';
+        (!in_quotes && [',', '\n', '\r'].contains(&c)).then_some(begin + i)
+    });
+    let from = match column.checked_sub(1) {
+        None => begin,
+        Some(before) => ends.nth(before).map_or(text.len(), |comma| comma + 1),
+    };
+    let to = ends.next().unwrap_or(text.len());
+    let value = &text[from..to];
+    let from = from + value.len() - value.trim_start().len();
+    from..from + value.trim().len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LOG: &str = "time_s,\"speed, GPS\",notch\n0, 50.5,5\n\n1.0,\"51\",x\n";
+
+    #[test]
+    fn values_are_found_by_row_and_column() {
+        let log = Document::new("log.csv", LOG);
+        let table = Table::new(&log).unwrap();
+        assert_eq!(table.names().collect::<Vec<_>>(), ["time_s", "speed, GPS", "notch"]);
+        assert_eq!((table.len(), table.is_empty()), (2, false));
+        assert_eq!(table.column("notch"), Some(2));
+        assert_eq!(table.column("throttle"), None);
+        assert_eq!((table.number(0, 1).unwrap(), table.number(1, 1).unwrap()), (50.5, 51.0));
+    }
+
+    #[test]
+    fn mistakes_have_the_line_and_the_column_of_the_value() {
+        let log = Document::new("log.csv", LOG);
+        let table = Table::new(&log).unwrap();
+        let text = table.number(1, 2).unwrap_err().to_string();
+        let wanted =
+            "log.csv:4:10: notch = x: must be a number\n  |\n4 | 1.0,\"51\",x\n  |          ^";
+        assert_eq!(text, wanted);
+        let speed = table.error(0, 1, "is too fast").to_string();
+        assert!(speed.starts_with("log.csv:2:4: speed, GPS = 50.5: is too fast"), "{speed}");
+        let names = table.error_in_names("must be others").to_string();
+        assert!(names.starts_with("log.csv:1:1: must be others"), "{names}");
+    }
+
+    #[test]
+    fn rows_of_another_length_and_other_separators_are_answered() {
+        let told = |text: &str| {
+            let file = Document::new("log.csv", text);
+            Table::new(&file).unwrap_err().to_string()
+        };
+        let short = told("a,b\n1,2\n3\n");
+        assert!(
+            short.starts_with("log.csv:3:1: this row has 1 values, but the rows above it have 2")
+        );
+        let semicolons = told("time;speed\n0;12,5\n");
+        assert!(
+            semicolons.starts_with("log.csv:1:5: values are separated by commas"),
+            "{semicolons}"
+        );
+        assert_eq!(told("a,b\n"), "log.csv: has no rows below the names of its columns");
+    }
+
+    /// Numbers that the program cannot compute with are refused as well.
+    #[test]
+    fn infinite_numbers_are_no_numbers() {
+        let file = Document::new("log.csv", "a\ninf\nNaN\n1e3\n");
+        let table = Table::new(&file).unwrap();
+        assert!(table.number(0, 0).is_err() && table.number(1, 0).is_err());
+        assert_eq!(table.number(2, 0).unwrap(), 1000.0);
+    }
+}

@@ -1,0 +1,48 @@
+//! Section `[wedge]` of the draft-gear file: the statics of a friction clutch.
+
+use files::{Check, Mistake};
+use serde::Deserialize;
+
+/// A friction clutch around the spring.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Wedge {
+    /// Angle of the wedge to the axis, degrees.
+    pub angle_deg: f64,
+    /// Friction between wedge and shoe.
+    pub wedge_friction: f64,
+    /// Friction between shoe and housing.
+    pub housing_friction: f64,
+}
+
+impl Wedge {
+    /// Force at the coupler over the force of the spring, pushed in and coming out.
+    ///
+    /// Statics of a wedge of the angle φ between spring and coupler, with the friction μ₁ at the
+    /// wedge and μ₂ at the housing:
+    ///
+    /// ```text
+    /// in:   F_c = F_s / (1 − μ₂ (1 − μ₁ tan φ)/(tan φ + μ₁))
+    /// out:  F_c = F_s / (1 + μ₂ (1 + μ₁ tan φ)/(tan φ − μ₁))
+    /// ```
+    ///
+    /// With μ₁ = 0 they are the form of Cole, *Handbook of Railway Vehicle Dynamics*, 2006, ch. 9.
+    pub(crate) fn force_ratios(&self, check: &Check) -> Result<(f64, f64), Mistake> {
+        let Self { angle_deg, wedge_friction, housing_friction } = *self;
+        check.between("angle_deg", angle_deg, 1.0, 89.0)?;
+        check.between("wedge_friction", wedge_friction, 0.0, 1.0)?;
+        check.between("housing_friction", housing_friction, 0.0, 1.0)?;
+        let tan = angle_deg.to_radians().tan();
+        let held = housing_friction * (1.0 - wedge_friction * tan) / (tan + wedge_friction);
+        if held >= 1.0 {
+            let wanted = "the wedge jams: its angle is too small for this friction";
+            return Err(check.error("angle_deg", angle_deg, wanted));
+        }
+        if tan <= wedge_friction {
+            let wanted = "the wedge does not come out: its tangent must exceed wedge_friction";
+            return Err(check.error("angle_deg", angle_deg, wanted));
+        }
+        let freed = housing_friction * (1.0 + wedge_friction * tan) / (tan - wedge_friction);
+        Ok((1.0 / (1.0 - held), 1.0 / (1.0 + freed)))
+    }
+}

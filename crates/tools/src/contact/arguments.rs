@@ -1,0 +1,46 @@
+//! The options of `hotfoot contact`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+/// Arguments of `hotfoot contact`.
+#[derive(Args)]
+pub struct ContactArguments {
+    /// Wheel profile: a name such as S1002 or cone-1-20, or a file of points
+    #[arg(long, default_value = "S1002")]
+    pub(super) wheel: String,
+    /// Rail profile: a name such as 60E1 or AS60, or a file of points
+    #[arg(long, default_value = "60E1")]
+    pub(super) rail: String,
+    /// Inclination of the rails, 0.025 for 1:40
+    #[arg(long, default_value_t = 0.025)]
+    pub(super) inclination: f64,
+    /// Track gauge, mm
+    #[arg(long, default_value_t = 1435.0)]
+    pub(super) gauge_mm: f64,
+    /// Distance of the flange backs, mm
+    #[arg(long, default_value_t = 1360.0)]
+    pub(super) flange_back_distance_mm: f64,
+    /// Radius of the wheels at the running circle, m
+    #[arg(long, default_value_t = 0.46)]
+    pub(super) radius: f64,
+    /// Vertical load of a wheel, N, for the sizes of the patches
+    #[arg(long, default_value_t = 100e3)]
+    pub(super) load: f64,
+    /// First lateral displacement of the wheelset to the right, mm
+    #[arg(long, default_value_t = -8.0, allow_hyphen_values = true)]
+    pub(super) from_mm: f64,
+    /// Last lateral displacement, mm
+    #[arg(long, default_value_t = 8.0, allow_hyphen_values = true)]
+    pub(super) to_mm: f64,
+    /// Step of the displacement, mm
+    #[arg(long, default_value_t = 0.5)]
+    pub(super) step_mm: f64,
+    /// Yaw of the wheelset, mrad
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    pub(super) yaw_mrad: f64,
+    /// Draw the values into this SVG file instead of printing them
+    #[arg(long, value_name = "FILE.svg")]
+    pub(super) plot: Option<PathBuf>,
+}
