@@ -64,8 +64,10 @@ impl Controller {
         force.clamp(-limit, limit)
     }
 
-    /// The force on the vehicle as [`force`](Self::force) gives it, N, and the integral of the
-    /// error over the `length`, s, for which both motions hold.
+    /// Advances the integral of the error by a step of this `length`, s, and gives the force, N.
+    ///
+    /// Both motions hold for the whole step; the force is that of [`force`](Self::force) at its
+    /// beginning.
     pub fn step(&mut self, vehicle: Motion, train: Motion, length: f64) -> f64 {
         let force = self.force(vehicle, train);
         // The integral stands still at the limit, or it would wind up.

@@ -112,8 +112,9 @@ impl fmt::Display for Call {
 const X: bool = true;
 const O: bool = false;
 
-/// The table of §4.2.4: `X` where a call is allowed. The rows stand in the order of [`Call`],
-/// the columns in the order of [`Phase`].
+/// The table of §4.2.4: `X` where a call is allowed.
+///
+/// The rows stand in the order of [`Call`], the columns in the order of [`Phase`].
 #[rustfmt::skip]
 const ALLOWED: [(Call, [bool; 6]); 30] = [
     //                              instantiated

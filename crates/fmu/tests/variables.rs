@@ -72,6 +72,17 @@ fmu::variables! {
         area: "area", SQUARE_METRE;
     }
 
+    /// A table of Real variables alone, which is copied at once.
+    #[derive(Copy)]
+    pub struct Flow: output {
+        /// Mass of steam
+        mass: "mass", KILOGRAM;
+        /// Speed of the steam
+        speed: "speed", METRE_PER_SECOND;
+        /// Power of the steam
+        power: "power", WATT;
+    }
+
     /// Air around the kettle.
     #[derive(Copy)]
     pub struct Air: input {
@@ -275,6 +286,21 @@ fn what_is_written_is_read_back() {
     assert_eq!(Kettle::read(&handles, &values), kettle);
     assert_eq!(values[handles.heating], "gas");
     assert_eq!(values[handles.recipe.parameter], "/soup.toml");
+}
+
+#[test]
+fn a_table_of_reals_alone_is_written_to_its_handles_and_nowhere_else() {
+    let mut declaration = Declaration::default();
+    let before = declaration.real("before", unit::ONE, "Before").output();
+    let handles = Flow::declare(&mut declaration, "flow");
+    let after = declaration.real("after", unit::ONE, "After").output();
+    let mut values = declaration.start_values().clone();
+    let flow = Flow { mass: 1.0, speed: 2.0, power: 3.0 };
+    flow.write(&handles, &mut values);
+    let written = [before, handles.mass, handles.speed, handles.power, after];
+    assert_eq!(written.map(|handle| values[handle]), [0.0, 1.0, 2.0, 3.0, 0.0]);
+    values[handles.speed] = -7.0;
+    assert_eq!(Flow::read(&handles, &values), Flow { speed: -7.0, ..flow });
 }
 
 #[test]

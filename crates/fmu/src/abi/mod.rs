@@ -1,7 +1,6 @@
-//! The C interface: functions over a model type, to which [`export!`](crate::export) gives their
-//! C names.
+//! The C interface: functions over a model type.
 //!
-//! They turn pointers into Rust values and results into statuses; what a call does is in
+//! [`export!`](crate::export) gives them their C names. They turn pointers into Rust values and results into statuses; what a call does is in
 //! [`Instance`](crate::Instance). No panic leaves them.
 //!
 //! # Safety

@@ -63,8 +63,9 @@ pub(crate) struct Built<M> {
 }
 
 impl<M: Model> Instance<M> {
-    /// Makes an instance whose messages go to `sink`; `resources` is the FMU's folder of that
-    /// name.
+    /// Makes an instance whose messages go to `sink`.
+    ///
+    /// The folder `resources` is that of the FMU.
     ///
     /// # Errors
     /// When the name is blank or the interface cannot be formed from the resources.
@@ -117,8 +118,10 @@ impl<M: Model> Instance<M> {
         self.time
     }
 
-    /// All values as they are. In initialization mode the outputs may be those of other start
-    /// values: the getters compute them first.
+    /// All values as they are.
+    ///
+    /// In initialization mode the outputs may be those of other start values, as only the getters
+    /// compute them.
     pub fn values(&self) -> &Values {
         &self.values
     }

@@ -25,8 +25,9 @@ impl<T: PartialOrd> Rule<T> {
         Self { settable, min, max }
     }
 
-    /// Whether the value is within the bounds. NaN never is, nor is an infinite number, as the
-    /// bounds are finite.
+    /// Whether the value is within the bounds.
+    ///
+    /// NaN never is, nor is an infinite number, as the bounds are finite.
     pub(crate) fn admits(&self, value: &T) -> bool {
         *value >= self.min && *value <= self.max
     }

@@ -1,5 +1,4 @@
-//! The declaration of a model's variables: names, units, value references, start values and
-//! everything else that `ModelVariables` (§2.2.7) states.
+//! The declaration of a model's variables: all that `ModelVariables` (§2.2.7) states of them.
 
 use super::bounds::Bounds;
 use super::unit::Unit;
