@@ -13,6 +13,7 @@ pub const LONGEST_STEP: f64 = 1.0;
 
 /// The model: what is computed once from the parameters, and the state.
 pub struct Spring {
+    load: Load,
     parameters: Parameters,
     /// Force when the simulation began, N: balances the spring's weight for good. It is computed
     /// once and is therefore not in the state.
@@ -28,10 +29,22 @@ fmu::variables! {
         force: "force", NEWTON = 0.0, ..=1e6;
     }
 
-    /// What is fixed when the simulation begins.
-    pub struct Parameters: parameter {
+    /// What hangs on the spring.
+    #[derive(Copy)]
+    pub struct Load: parameter {
         /// Mass
         mass: "mass", KILOGRAM = 1.0, 0.1..;
+    }
+
+    /// What may change between steps.
+    #[derive(Copy)]
+    pub struct Tuning: tunable {
+        /// Stiffness times one metre
+        stiffness: "stiffness", NEWTON = 100.0, 0.0..=1e9;
+    }
+
+    /// What else is fixed when the simulation begins.
+    pub struct Parameters: parameter {
         /// First elongation
         initial_position: "initial.position", METRE = 0.1;
         /// Substeps in a step
@@ -47,13 +60,6 @@ fmu::variables! {
         trouble_time: "trouble.time", SECOND = 0.0;
     }
 
-    /// What may change between steps.
-    #[derive(Copy)]
-    pub struct Tuning: tunable {
-        /// Stiffness times one metre
-        stiffness: "stiffness", NEWTON = 100.0, 0.0..=1e9;
-    }
-
     /// What changes in a step.
     #[derive(Copy, Serialize, Deserialize)]
     pub struct State: output {
@@ -67,8 +73,9 @@ fmu::variables! {
 /// Handles of the variables.
 pub struct Signals {
     pub drive: Handles<Drive>,
-    pub parameters: Handles<Parameters>,
+    pub load: Handles<Load>,
     pub tuning: Handles<Tuning>,
+    pub parameters: Handles<Parameters>,
     pub state: Handles<State>,
     /// Elongation at points along the spring; as many as the file `points.txt` says.
     pub points: Vec<Real>,
@@ -89,8 +96,9 @@ impl Model for Spring {
         let points = number_of_points(&resources.join("points.txt"))?;
         Ok(Signals {
             drive: Drive::declare(d, ""),
-            parameters: Parameters::declare(d, ""),
+            load: Load::declare(d, ""),
             tuning: Tuning::declare(d, ""),
+            parameters: Parameters::declare(d, ""),
             state: State::declare(d, ""),
             points: (1..=points)
                 .map(|point| {
@@ -111,11 +119,12 @@ impl Model for Spring {
     ) -> Result<Self, ModelError> {
         let parameters = Parameters::read(&signals.parameters, values);
         let spring = Self {
+            load: Load::read(&signals.load, values),
             preload: Drive::read(&signals.drive, values).force,
             state: State { position: parameters.initial_position, velocity: 0.0 },
             parameters,
         };
-        log.event(format!("100 % ready with {} kg", spring.parameters.mass));
+        log.event(format!("100 % ready with {} kg", spring.load.mass));
         spring.show(signals, values);
         if let Some(trouble) = spring.parameters.trouble.strip_prefix("start ") {
             make_trouble(trouble, signals, values, log)?;
@@ -136,13 +145,13 @@ impl Model for Spring {
         }
         let Drive { force } = Drive::read(&signals.drive, values);
         let Tuning { stiffness } = Tuning::read(&signals.tuning, values);
-        let Parameters { mass, substeps, damped, .. } = self.parameters;
+        let Parameters { substeps, damped, .. } = self.parameters;
         let length = interval.length / f64::from(substeps);
         let damping = if damped { 2.0 } else { 0.0 };
         for _ in 0..substeps {
             let State { position, velocity } = &mut self.state;
             let force = force - self.preload - stiffness * *position - damping * *velocity;
-            *velocity += force / mass * length;
+            *velocity += force / self.load.mass * length;
             *position += *velocity * length;
         }
         self.show(signals, values);
