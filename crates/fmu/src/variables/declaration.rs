@@ -1,5 +1,4 @@
-//! The declaration of a model's variables: names, units, value references, start values and
-//! everything else that `ModelVariables` (§2.2.7) states.
+//! The declaration of a model's variables: all that `ModelVariables` (§2.2.7) states of them.
 
 use super::bounds::Bounds;
 use super::unit::Unit;
@@ -9,7 +8,7 @@ use super::variable::{Causality, Initial, Kind, Terminal, Variability, Variable}
 /// All variables of a model in the order in which they are declared.
 ///
 /// Most variables stand in tables, which [`variables!`](crate::variables!) declares; this declares
-/// those whose number or meaning no table can tell:
+/// those that fit no table:
 ///
 /// ```
 /// use fmu::{Declaration, unit};
@@ -147,8 +146,7 @@ impl Declaration {
     }
 }
 
-/// A variable on its way into the [`Declaration`]; `input`, `output`, `parameter` or `tunable`
-/// ends it and gives the handle.
+/// A variable that is being declared; `input`, `output`, `parameter` or `tunable` ends it.
 #[must_use = "ends with input, output, parameter or tunable"]
 pub struct VariableDeclaration<'d, T: Type> {
     declaration: &'d mut Declaration,

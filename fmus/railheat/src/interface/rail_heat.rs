@@ -66,7 +66,7 @@ impl Model for RailHeat {
         Ok(rail_heat)
     }
 
-    fn foresee(&self, stop_time: f64) -> Result<(), ModelError> {
+    fn check_until(&self, stop_time: f64) -> Result<(), ModelError> {
         self.weather.check_until(stop_time)
     }
 
