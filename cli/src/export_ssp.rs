@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use anyhow::Result;
 use clap::Args;
 use hotfoot::run::workplace;
 use hotfoot::ssp;
-use miette::Result;
 
 use crate::run::default_fmus;
 

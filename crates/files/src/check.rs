@@ -35,7 +35,16 @@ impl<'a> Check<'a> {
     }
 
     /// A value that is not possible, as the file has it if it is there, and what would be right.
-    pub fn error(&self, key: &str, value: impl ToString, wanted: impl Into<String>) -> Mistake {
+    pub fn error(&self, key: &str, value: impl ToString, wanted: impl AsRef<str>) -> Mistake {
+        self.about_value(key, Some(value.to_string()), wanted.as_ref())
+    }
+
+    /// The same for a value that only the file knows.
+    pub fn wrong(&self, key: &str, wanted: impl AsRef<str>) -> Mistake {
+        self.about_value(key, None, wanted.as_ref())
+    }
+
+    fn about_value(&self, key: &str, value: Option<String>, wanted: &str) -> Mistake {
         let key = self.full(key);
         let (mark, written) = match key::find(self.document.text(), &key) {
             Some(Found::Value(bytes)) => {
@@ -44,11 +53,11 @@ impl<'a> Check<'a> {
             Some(Found::Holder(bytes)) => (Some(bytes), None),
             None => (None, None),
         };
-        let value = written.unwrap_or_else(|| value.to_string());
-        let wanted = wanted.into();
-        let sentence = match value.chars().count() <= LONGEST_VALUE && !value.contains('\n') {
-            true => format!("{key} = {value}: {wanted}"),
-            false => format!("{key}: {wanted}"),
+        let short =
+            |value: &String| value.chars().count() <= LONGEST_VALUE && !value.contains('\n');
+        let sentence = match written.or(value).filter(short) {
+            Some(value) => format!("{key} = {value}: {wanted}"),
+            None => format!("{key}: {wanted}"),
         };
         self.mistake(mark, sentence)
     }

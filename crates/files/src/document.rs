@@ -94,6 +94,17 @@ impl Document {
     }
 }
 
+/// Says of a file or folder that is not there which one may be meant.
+///
+/// # Errors
+/// When it is not there.
+pub fn exists(path: &Path) -> Result<(), Mistake> {
+    match std::fs::metadata(path) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(Mistake::in_file(path.display(), unreadable(path, &error))),
+    }
+}
+
 /// Why a file cannot be read, in words, with the name of the file beside it that may be meant.
 fn unreadable(path: &Path, error: &io::Error) -> String {
     match error.kind() {
@@ -127,6 +138,14 @@ mod tests {
 
     fn message(path: &Path) -> String {
         Document::read(path).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn a_folder_exists_as_well_as_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        assert_eq!(exists(folder.path()), Ok(()));
+        let told = exists(&folder.path().join("none.fmu")).unwrap_err().to_string();
+        assert!(told.ends_with("none.fmu: there is no such file"), "{told}");
     }
 
     #[test]

@@ -29,7 +29,7 @@ mod structure;
 mod table;
 
 pub use check::Check;
-pub use document::Document;
+pub use document::{Document, exists};
 pub use mistake::{Mark, Mistake};
 pub use nearest::{did_you_mean, nearest};
 pub use table::Table;
