@@ -1,6 +1,6 @@
 //! Typed arguments, and the rows that a command gives.
 
-use clap::{Args, FromArgMatches};
+use clap::Args;
 use tools::ToolError;
 
 /// The repository's rolling stock.
