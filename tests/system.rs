@@ -17,6 +17,7 @@
 //! | `rails.rs` | the heated rails |
 //! | `scenarios.rs` | every shipped scenario |
 //! | `synchronisation.rs` | the controller in the whole loop |
+//! | `told_once.rs` | each sentence of an error is told once |
 //! | `tools.rs` | the engineering commands |
 //!
 //! All are one program, since linking is what takes the time of such tests' build. They need the
@@ -37,4 +38,5 @@ mod profile_files;
 mod rails;
 mod scenarios;
 mod synchronisation;
+mod told_once;
 mod tools;

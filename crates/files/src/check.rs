@@ -48,7 +48,10 @@ impl<'a> Check<'a> {
         let key = self.full(key);
         let (mark, written) = match key::find(self.document.text(), &key) {
             Some(Found::Value(bytes)) => {
-                (Some(bytes.clone()), self.document.text().get(bytes).map(str::to_owned))
+                let written = self.document.text().get(bytes.clone()).map(str::to_owned);
+                // Of a list or a section the caller names the part that is wrong.
+                let whole = |written: &String| value.is_some() && written.starts_with(['[', '{']);
+                (Some(bytes), written.filter(|written| !whole(written)))
             }
             Some(Found::Holder(bytes)) => (Some(bytes), None),
             None => (None, None),
