@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `architecture.rs` | who may depend on whom |
 //! | `command_line.rs` | answers to wrong input |
+//! | `error_messages.rs` | each sentence of an error comes once |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `field_lost.rs` | a temperature field that is lost in a run |
 //! | `fmu_check.rs` | `hotfoot check` |
@@ -17,7 +18,6 @@
 //! | `rails.rs` | the heated rails |
 //! | `scenarios.rs` | every shipped scenario |
 //! | `synchronisation.rs` | the controller in the whole loop |
-//! | `told_once.rs` | each sentence of an error is told once |
 //! | `tools.rs` | the engineering commands |
 //!
 //! All are one program, since linking is what takes the time of such tests' build. They need the
@@ -26,6 +26,7 @@
 mod architecture;
 mod command_line;
 mod determinism;
+mod error_messages;
 mod field_lost;
 mod fmu_check;
 mod force_balance;
@@ -38,5 +39,4 @@ mod profile_files;
 mod rails;
 mod scenarios;
 mod synchronisation;
-mod told_once;
 mod tools;

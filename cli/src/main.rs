@@ -8,7 +8,7 @@
 //! | `results.rs` | `report`, `expect` |
 //! | `interface.rs` | `interface`, `schema` |
 //! | `examples.rs` | the examples in their help |
-//! | `told.rs` | how an error is told |
+//! | `message.rs` | the message of an error |
 //!
 //! `modes`, `contact`, `creep` and `critical-speed` stand in the library `tools` (`crates/tools`).
 
@@ -16,11 +16,11 @@ mod check;
 mod examples;
 mod export_ssp;
 mod interface;
+mod message;
 mod pack;
 mod results;
 mod run;
 mod supervise;
-mod told;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -28,7 +28,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use tools::{ToolError, contact, creep, critical_speed, modes};
 
-use crate::told::told;
+use crate::message::message;
 
 /// Full-train co-simulation of in-train forces, wheel-rail contact and rail-foot heat.
 #[derive(Parser)]
@@ -60,8 +60,7 @@ enum Command {
         /// File of expected figures, such as `expected.toml` beside the scenario
         expected: PathBuf,
     },
-    /// Check an FMU against the rules of FMI 2.0, for a role in the train, and against the
-    /// reference result that it carries
+    /// Check an FMU against FMI 2.0, for a role in the train, and against its reference result
     #[command(after_help = examples::CHECK)]
     Check(check::CheckArguments),
     /// Pack an FMU: a binary with resources and the model description for them
@@ -97,7 +96,7 @@ fn main() -> ExitCode {
     match carry_out(Arguments::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("Error: {}", told(&error));
+            eprintln!("Error: {}", message(&error));
             ExitCode::FAILURE
         }
     }

@@ -1,5 +1,6 @@
-//! Runs a command in a child of this program, so that an FMU that crashes it ends the child only:
-//! what was recorded is completed, and the user is told.
+//! Runs a command in a child of this program, so that an FMU that crashes it ends the child only.
+//!
+//! What was recorded is then completed, and the user gets a message.
 
 use std::ffi::OsString;
 use std::io::Read;
@@ -29,12 +30,11 @@ fn end_with_parent() {
     });
 }
 
-/// Runs this program again with the same and `further` arguments, and calls `after_crash` if it
-/// crashes.
+/// Runs this program again with the same and `further` arguments; calls `after_crash` if it crashes.
 ///
 /// # Errors
 /// When the child cannot be started, and what `after_crash` says. A child that ends with an error
-/// has told it, so this program ends at once with the same code.
+/// has said why, so this program ends at once with the same code.
 pub fn in_child(further: &[OsString], after_crash: impl FnOnce() -> Result<()>) -> Result<()> {
     let program = std::env::current_exe()?;
     let mut child = Command::new(program)

@@ -141,8 +141,9 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Two columns of a table: equally long, at least `rows`, the first one rising from row to
-    /// row and beginning at zero, the second one without negative values.
+    /// Two columns of a table, equally long and of at least `rows`.
+    ///
+    /// The first one rises from row to row and begins at zero, the second one has no negative values.
     ///
     /// # Errors
     /// When one of this does not hold.
@@ -180,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_is_told_as_it_is_written_and_marked() {
+    fn a_value_is_repeated_as_it_is_written_and_marked() {
         let gear = gear();
         let check = gear.check().section("loading");
         let columns = |x: &[f64]| {
@@ -218,8 +219,8 @@ mod tests {
         );
         assert!(check.between("x", f64::NAN, 0.0, 1.0).is_err());
         assert!(check.positive("x", f64::INFINITY).is_err() && check.positive("x", 0.0).is_err());
-        let told = check.positive("x", -2.0).unwrap_err().to_string();
-        assert_eq!(told, "gear.toml: x = -2: must be greater than zero");
+        let text = check.positive("x", -2.0).unwrap_err().to_string();
+        assert_eq!(text, "gear.toml: x = -2: must be greater than zero");
     }
 
     /// A value of many lines would hide the sentence.

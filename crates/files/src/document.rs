@@ -144,22 +144,22 @@ mod tests {
     fn a_folder_exists_as_well_as_a_file() {
         let folder = tempfile::tempdir().unwrap();
         assert_eq!(exists(folder.path()), Ok(()));
-        let told = exists(&folder.path().join("none.fmu")).unwrap_err().to_string();
-        assert!(told.ends_with("none.fmu: there is no such file"), "{told}");
+        let text = exists(&folder.path().join("none.fmu")).unwrap_err().to_string();
+        assert!(text.ends_with("none.fmu: there is no such file"), "{text}");
     }
 
     #[test]
     fn a_missing_file_is_answered_with_the_one_that_is_meant() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("track.toml"), "").unwrap();
-        let told = message(&folder.path().join("trak.toml"));
-        assert!(told.ends_with("trak.toml: there is no such file; did you mean `track.toml`?"));
-        let told = message(&folder.path().join("weather.csv"));
-        assert!(told.ends_with("weather.csv: there is no such file"), "{told}");
-        let told = message(&folder.path().join("nowhere/track.toml"));
-        assert!(told.contains("there is no folder") && told.ends_with("nowhere"), "{told}");
-        let told = message(folder.path());
-        assert!(told.ends_with("is a folder, not a file"), "{told}");
+        let text = message(&folder.path().join("trak.toml"));
+        assert!(text.ends_with("trak.toml: there is no such file; did you mean `track.toml`?"));
+        let text = message(&folder.path().join("weather.csv"));
+        assert!(text.ends_with("weather.csv: there is no such file"), "{text}");
+        let text = message(&folder.path().join("nowhere/track.toml"));
+        assert!(text.contains("there is no folder") && text.ends_with("nowhere"), "{text}");
+        let text = message(folder.path());
+        assert!(text.ends_with("is a folder, not a file"), "{text}");
     }
 
     /// A vehicle that extends another is such a table.
@@ -193,8 +193,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("latin1.toml");
         std::fs::write(&file, b"a = 1\nname = \"M\xfcller\"\n").unwrap();
-        let told = message(&file);
-        assert!(told.contains("latin1.toml:2:10: is no text in UTF-8"), "{told}");
-        assert!(told.contains("save the file as UTF-8"), "{told}");
+        let text = message(&file);
+        assert!(text.contains("latin1.toml:2:10: is no text in UTF-8"), "{text}");
+        assert!(text.contains("save the file as UTF-8"), "{text}");
     }
 }

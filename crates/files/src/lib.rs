@@ -1,4 +1,4 @@
-//! The files that people write: how they are read, and how a mistake in one is told.
+//! The files that people write: how they are read, and how a mistake in one is answered.
 //!
 //! Scenario, track, vehicles, trains, drivers, rails, loggers and weather all come through here, so that a
 //! mistake always reads the same:

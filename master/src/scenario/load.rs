@@ -13,8 +13,9 @@ pub fn file_of(path: &Path) -> PathBuf {
     if path.is_dir() { path.join("scenario.toml") } else { path.to_owned() }
 }
 
-/// Reads the scenario at `path` (the file, or the folder with `scenario.toml`), checks it, and
-/// makes the paths in it absolute. Gives the scenario, its file and its text.
+/// Reads and checks the scenario at `path`: the file, or the folder with `scenario.toml`.
+///
+/// The paths in it become absolute. Gives the scenario, its file and its text.
 ///
 /// # Errors
 /// When the file cannot be read or something in it is wrong.

@@ -30,8 +30,9 @@ use super::force_curve::ForceCurve;
 use super::wedge::Wedge;
 use super::{Characteristic, DraftGear, Orifice};
 
-/// Stiffness of an elastic gear's lock over the steepest piece of its curve: any number above one
-/// gives the same force.
+/// Stiffness of an elastic gear's lock over the steepest piece of its curve.
+///
+/// Any number above one gives the same force.
 const ELASTIC_LOCK: f64 = 2.0;
 
 /// Deflection up to which the curve of a drawbar is given, mm; it goes on alike.
@@ -43,8 +44,7 @@ struct Drawbar {
     stiffness_mn_m: f64,
 }
 
-/// Declares the file of a gear and its section `[buff]`, which have the same keys for the two
-/// directions, and a [`Side`] with these keys.
+/// Declares the file of a gear, its section `[buff]`, and a [`Side`], all with the same keys.
 macro_rules! keys_of_a_direction {
     ($($key:ident: $kind:ty),* $(,)?) => {
         #[derive(Deserialize)]

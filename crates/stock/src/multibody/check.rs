@@ -44,7 +44,7 @@ impl<'a> Checker<'a> {
         Ok(Self { multibody, check, names })
     }
 
-    /// Masses, inertias and places, and the sum of the masses against the vehicle's.
+    /// Masses, inertias and positions, and the sum of the masses against the vehicle's.
     pub fn masses(&self, mass_kg: f64) -> Checked {
         let height = self.multibody.coupler.height_m;
         self.check.between("coupler.height_m", height, 0.0, 3.0)?;
@@ -58,7 +58,7 @@ impl<'a> Checker<'a> {
                 && wheelset.x_m >= before.x_m
             {
                 let wanted = format!(
-                    "must be less than {}, the place of the wheelset before it: wheelsets stand \
+                    "must be less than {}, that of the wheelset before it: wheelsets stand \
                      from front to rear",
                     before.x_m
                 );

@@ -13,8 +13,8 @@ fn said(text: &str) -> String {
 
 /// The message without its folder and its picture of the line.
 fn first_line(mistake: &Mistake) -> String {
-    let told = mistake.to_string();
-    let line = told.lines().next().unwrap();
+    let message = mistake.to_string();
+    let line = message.lines().next().unwrap();
     let begin = line.find(".toml").map_or(0, |end| line[..end].rfind('/').map_or(0, |i| i + 1));
     line[begin..].to_owned()
 }
@@ -33,13 +33,13 @@ fn said_of_gear(text: &str) -> String {
 fn golden_whole_message() {
     let text = "extends = 'locomotive-coco-134t'\n[brake]\nlag_s = 0.0      # quick\n";
     let scratch = Scratch::with("changed", text);
-    let told = scratch.vehicle("changed").unwrap_err().to_string();
+    let message = scratch.vehicle("changed").unwrap_err().to_string();
     let file = scratch.file("changed").display().to_string();
     let expected = format!(
         "{file}:3:9: brake.lag_s = 0.0: must lie between 0.1 and 60\n  |\n3 | lag_s = 0.0      # quick\n  \
          |         ^^^"
     );
-    assert_eq!(told, expected);
+    assert_eq!(message, expected);
 }
 
 #[test]
@@ -120,27 +120,27 @@ fn golden_what_a_vehicle_lacks_or_has_too_much() {
         ("mass_kg = 134 t", "2:15: a number stands alone; its unit is at the end of the key"),
         ("extends = 'again'", "2:1: `extends` stands twice; leave one of them out"),
     ] {
-        let told = said(text);
-        assert!(told.starts_with(&format!("changed.toml:{expected}")), "{told}");
+        let message = said(text);
+        assert!(message.starts_with(&format!("changed.toml:{expected}")), "{message}");
     }
 }
 
 #[test]
 fn a_vehicle_that_is_extended_and_not_there_is_answered_with_the_one_that_is_meant() {
     let scratch = Scratch::with("changed", "extends = 'wagon-ore-40'\n");
-    let told = first_line(&scratch.vehicle("changed").unwrap_err());
+    let message = first_line(&scratch.vehicle("changed").unwrap_err());
     let expected = "changed.toml:1:11: extends = 'wagon-ore-40': there is no vehicle of this name in the \
                     library; did you mean `wagon-ore-40t`?";
-    assert_eq!(told, expected);
+    assert_eq!(message, expected);
 }
 
 /// A wrong value that comes from the vehicle that is extended is looked for in its file.
 #[test]
-fn a_mistake_of_an_extended_vehicle_is_told_of_its_own_file() {
+fn a_mistake_of_an_extended_vehicle_names_its_own_file() {
     let scratch = Scratch::with("base", "extends = 'locomotive-coco-134t'\naxles = 99\n");
     std::fs::write(scratch.file("own"), "extends = 'base'\nlength_m = 19.0\n").unwrap();
-    let told = first_line(&scratch.vehicle("own").unwrap_err());
-    assert_eq!(told, "base.toml:2:9: axles = 99: must lie between 2 and 64");
+    let message = first_line(&scratch.vehicle("own").unwrap_err());
+    assert_eq!(message, "base.toml:2:9: axles = 99: must lie between 2 and 64");
 }
 
 /// The elements of the multibody section, each with one value that cannot be.
@@ -216,8 +216,8 @@ fn golden_force_elements() {
             "11:23: multibody.side_bearer[1].stick_stiffness_n_m = 0: must be greater than zero",
         ),
     ] {
-        let told = element(kind, &keys);
-        assert!(told.starts_with(&format!("changed.toml:{expected}")), "{told}");
+        let message = element(kind, &keys);
+        assert!(message.starts_with(&format!("changed.toml:{expected}")), "{message}");
     }
 }
 
@@ -264,13 +264,13 @@ fn golden_draft_gears() {
             "there is no key `loss`; did you mean `loss_percent`?",
         ),
     ] {
-        let told = said_of_gear(&format!("{head}{keys}{sections}"));
-        assert!(told.starts_with("gear.toml:"), "{told}");
+        let message = said_of_gear(&format!("{head}{keys}{sections}"));
+        assert!(message.starts_with("gear.toml:"), "{message}");
         match expected {
             "3:2: " => {
-                assert!(told.contains("loading is missing: a gear needs [loading]"), "{told}")
+                assert!(message.contains("loading is missing: a gear needs [loading]"), "{message}")
             }
-            expected => assert!(told.contains(expected), "{told}"),
+            expected => assert!(message.contains(expected), "{message}"),
         }
     }
 }
@@ -302,18 +302,18 @@ fn golden_consists() {
             "c.toml:3:9: vehicle[1].count = '2': must be a whole number, without quotes",
         ),
     ] {
-        let told = first_line(&Consist::from_toml(text, "c.toml").unwrap_err());
-        assert_eq!(told, expected);
+        let message = first_line(&Consist::from_toml(text, "c.toml").unwrap_err());
+        assert_eq!(message, expected);
     }
 }
 
 #[test]
 fn a_folder_that_is_no_library_is_answered() {
-    let told = Library::open("/nowhere").unwrap_err().to_string();
-    assert_eq!(told, "/nowhere: is no rolling-stock library: it has no folder `vehicles`");
+    let message = Library::open("/nowhere").unwrap_err().to_string();
+    assert_eq!(message, "/nowhere: is no rolling-stock library: it has no folder `vehicles`");
     let library = Library::open(ROOT).unwrap();
-    let told = library.draft_gear("friction-gear-m901").unwrap_err().to_string();
-    assert!(told.ends_with("did you mean `friction-gear-m901e.toml`?"), "{told}");
+    let message = library.draft_gear("friction-gear-m901").unwrap_err().to_string();
+    assert!(message.ends_with("did you mean `friction-gear-m901e.toml`?"), "{message}");
 }
 
 /// A file that people write may begin with anything; it is never more than a mistake.

@@ -1,4 +1,4 @@
-//! A wheelset at a lateral displacement: how its wheels touch the rails, and how they share their loads.
+//! A wheelset at a lateral displacement: its contacts, and how they share the load.
 
 use contact::{
     EquivalentConicity, ProfilePair, RailProfile, WheelContact, WheelProfile, wheelset_geometry,

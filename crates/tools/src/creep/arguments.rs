@@ -34,8 +34,9 @@ pub struct CreepArguments {
     #[arg(long, num_args = 2, value_parser = positive, conflicts_with = "radii_m",
           required_unless_present = "radii_m")]
     pub(super) semi_axes_mm: Option<Vec<f64>>,
-    /// Relative radii of curvature in the rolling direction and across, m, such as 0.5 0.3 for a
-    /// wheel of 0.5 m radius with a straight tread on a rail head of 0.3 m
+    /// Relative radii of curvature in the rolling direction and across, m
+    ///
+    /// Such as 0.5 0.3 for a wheel of 0.5 m radius with a straight tread on a rail head of 0.3 m.
     #[arg(long, num_args = 2, value_parser = positive)]
     pub(super) radii_m: Option<Vec<f64>>,
     /// Friction coefficient without slip

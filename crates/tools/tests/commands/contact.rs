@@ -124,14 +124,14 @@ fn wrong_options_are_answered_with_what_is_right() {
         (&["--rail", "none"], "there is no rail profile \"none\"; known are 60E1"),
         (&["--plot", "curve.png"], "--plot curve.png: the name must end in .svg"),
     ] {
-        let told = refused(words);
-        assert!(told.contains(wanted), "{words:?}: {told}");
+        let message = refused(words);
+        assert!(message.contains(wanted), "{words:?}: {message}");
     }
 }
 
 #[test]
 fn a_plot_that_cannot_be_written_is_named() {
     let file = "/nowhere/at/all/plot.svg";
-    let told = refused(&["--from-mm", "0", "--to-mm", "1", "--plot", file]);
-    assert!(told.starts_with(&format!("{file} cannot be written: ")), "{told}");
+    let message = refused(&["--from-mm", "0", "--to-mm", "1", "--plot", file]);
+    assert!(message.starts_with(&format!("{file} cannot be written: ")), "{message}");
 }

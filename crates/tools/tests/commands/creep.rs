@@ -133,8 +133,8 @@ fn wrong_options_are_answered_with_what_is_right() {
         ),
         (&["--load", "100kN", "--semi-axes-mm", "6", "6"], "must be a number, without a unit"),
     ] {
-        let told = refused(words);
-        assert!(told.contains(wanted), "{words:?}: {told}");
+        let message = refused(words);
+        assert!(message.contains(wanted), "{words:?}: {message}");
     }
     for (words, wanted) in [
         (&["--friction", "0"][..], "must be greater than zero"),
@@ -146,7 +146,7 @@ fn wrong_options_are_answered_with_what_is_right() {
         (&["--longitudinal", "0,0.1", "--lateral", "0,0.1,0.2"], "must have the same length"),
         (&["--plot", "c.svg"], "a list of creepages that differ"),
     ] {
-        let told = refused(&[&ROUND, words].concat());
-        assert!(told.contains(wanted), "{words:?}: {told}");
+        let message = refused(&[&ROUND, words].concat());
+        assert!(message.contains(wanted), "{words:?}: {message}");
     }
 }

@@ -69,7 +69,7 @@ fn wrong_options_are_answered_with_what_is_right() {
         (&["--greatest", "0"], "must be greater than zero"),
     ] {
         let words = [&[LOCOMOTIVE, "--stock", STOCK], words].concat();
-        let told = refusal::<CriticalSpeedArguments>(critical_speed, &words);
-        assert!(told.contains(wanted), "{words:?}: {told}");
+        let message = refusal::<CriticalSpeedArguments>(critical_speed, &words);
+        assert!(message.contains(wanted), "{words:?}: {message}");
     }
 }

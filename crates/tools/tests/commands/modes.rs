@@ -137,11 +137,14 @@ fn a_table_for_people_names_what_moves() {
 #[test]
 fn a_vehicle_that_cannot_be_read_is_answered() {
     let refused = |words: &[&str]| refusal::<ModesArguments>(modes, words);
-    let told = refused(&["wagon-ore-40", "--stock", STOCK]);
-    assert!(told.contains("there is no such file; did you mean `wagon-ore-40t.toml`?"), "{told}");
-    let told = refused(&["any", "--stock", "/nowhere"]);
-    assert!(told.contains("/nowhere: is no rolling-stock library"), "{told}");
+    let message = refused(&["wagon-ore-40", "--stock", STOCK]);
+    assert!(
+        message.contains("there is no such file; did you mean `wagon-ore-40t.toml`?"),
+        "{message}"
+    );
+    let message = refused(&["any", "--stock", "/nowhere"]);
+    assert!(message.contains("/nowhere: is no rolling-stock library"), "{message}");
     let (_folder, file) = file("extends = 'wagon-coco-134t-unpowered'\nwithout = ['multibody']\n");
-    let told = refused(&[file.to_str().unwrap(), "--stock", STOCK]);
-    assert!(told.contains("has no section [multibody]"), "{told}");
+    let message = refused(&[file.to_str().unwrap(), "--stock", STOCK]);
+    assert!(message.contains("has no section [multibody]"), "{message}");
 }

@@ -1,4 +1,4 @@
-//! Whatever goes wrong, each sentence of the answer is told once.
+//! Whatever goes wrong, each sentence of the answer comes once.
 
 use std::collections::BTreeSet;
 use std::process::Output;
@@ -20,14 +20,14 @@ fn sentences(answer: &str) -> Vec<String> {
 }
 
 /// Fails if the command succeeds, says a sentence twice, or speaks of the program's inside.
-fn assert_told_once(what: &str, output: &Output) {
+fn assert_each_once(what: &str, output: &Output) {
     let answer = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(!output.status.success(), "{what} succeeded");
     assert!(!answer.trim().is_empty(), "{what} says nothing");
     assert!(!answer.contains("panicked") && !answer.contains("RUST_BACKTRACE"), "{what}: {answer}");
-    let mut told = BTreeSet::new();
+    let mut said = BTreeSet::new();
     for sentence in sentences(&answer) {
-        assert!(told.insert(sentence.clone()), "{what} says '{sentence}' twice: {answer}");
+        assert!(said.insert(sentence.clone()), "{what} says '{sentence}' twice: {answer}");
     }
 }
 
@@ -55,7 +55,7 @@ fn no_sentence_comes_twice_whatever_file_is_wrong() {
     for (what, change) in change {
         let mut scenario = SmallScenario::new(0.01);
         change(&mut scenario);
-        assert_told_once(what, &scenario.run(&[]));
+        assert_each_once(what, &scenario.run(&[]));
     }
 }
 
@@ -88,7 +88,7 @@ fn no_sentence_comes_twice_whatever_command_is_wrong() {
         &["creep", "--load", "1"],
         &["critical-speed", "none"],
     ] {
-        assert_told_once(&words.join(" "), &hotfoot(folder.path(), words));
+        assert_each_once(&words.join(" "), &hotfoot(folder.path(), words));
     }
 }
 
