@@ -25,10 +25,11 @@ fn source_files(folder: &Path, found: &mut Vec<std::path::PathBuf>) {
     }
 }
 
-const PHYSICS: [&str; 9] = [
+const PHYSICS: [&str; 10] = [
     "crates/numerics",
     "crates/track",
     "crates/contact",
+    "crates/files",
     "crates/stock",
     "fmus/vehicle",
     "fmus/longitudinal",

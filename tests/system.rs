@@ -4,8 +4,10 @@
 //! |---|---|
 //! | `architecture.rs` | who may depend on whom |
 //! | `command_line.rs` | answers to wrong input |
-//! | `error_messages.rs` | each sentence of an error comes once |
 //! | `determinism.rs` | any number of threads gives the same bytes |
+//! | `documents.rs` | what README, licences and vocabulary say |
+//! | `error_messages.rs` | each sentence of an error comes once |
+//! | `examples.rs` | the examples |
 //! | `field_lost.rs` | a temperature field that is lost in a run |
 //! | `fmu_check.rs` | `hotfoot check` |
 //! | `force_balance.rs` | forces balance between the models |
@@ -26,7 +28,9 @@
 mod architecture;
 mod command_line;
 mod determinism;
+mod documents;
 mod error_messages;
+mod examples;
 mod field_lost;
 mod fmu_check;
 mod force_balance;

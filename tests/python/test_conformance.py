@@ -23,6 +23,8 @@ def test_the_fmu_holds_what_users_look_for(model):
         "documentation/index.html",
         "documentation/equations.html",
         "documentation/licenses/license.txt",
+        "documentation/licenses/LICENSE-MIT",
+        "documentation/licenses/LICENSE-APACHE",
         "model.png",
         "extra/org.fmi-standard.fmi-ls-ref/ref.csv",
     ):

@@ -27,6 +27,21 @@ pub fn fmu(model: &str) -> PathBuf {
     path
 }
 
+/// The shared library of an example.
+///
+/// # Panics
+/// When it has not been built.
+pub fn library(package: &str) -> PathBuf {
+    let file = format!("{}{package}{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+    let path = release().join(file);
+    assert!(
+        path.exists(),
+        "{} is missing: run `cargo build --release --workspace`",
+        path.display()
+    );
+    path
+}
+
 /// Runs the program `hotfoot` with these arguments in `folder`.
 ///
 /// # Panics

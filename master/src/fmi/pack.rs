@@ -12,8 +12,12 @@ use crate::fmi::{self, ImportError, describe};
 
 /// Icon of the FMUs.
 const MODEL_PNG: &[u8] = include_bytes!("../../assets/model.png");
-/// Licence of the FMUs.
-const LICENSE: &str = include_str!("../../assets/license.txt");
+/// Licences of the FMUs, by their names in `documentation/licenses`: which hold, and their texts.
+const LICENSES: [(&str, &str); 3] = [
+    ("license.txt", include_str!("../../assets/license.txt")),
+    ("LICENSE-MIT", include_str!("../../../LICENSE-MIT")),
+    ("LICENSE-APACHE", include_str!("../../../LICENSE-APACHE")),
+];
 
 /// Why an FMU cannot be packed.
 #[derive(Debug, thiserror::Error)]
@@ -64,7 +68,9 @@ pub fn pack(binary: Binary<'_>, resources: &Path, target: &Path) -> Result<(), P
     if !description.terminals.is_empty() {
         file(TERMINALS, description.terminals.as_bytes())?;
     }
-    file("documentation/licenses/license.txt", LICENSE.as_bytes())?;
+    for (name, text) in LICENSES {
+        file(&format!("documentation/licenses/{name}"), text.as_bytes())?;
+    }
     file("model.png", MODEL_PNG)?;
     let bytes = fs::read(&library).map_err(FileError::at(&library))?;
     write(&content.join(fmi::binary_path(&description.identifier)), &bytes)?;

@@ -59,7 +59,7 @@ fn analytic_air_brake_wave_runs_along_the_train() {
                 source: "distance over the speed of the wave",
                 tolerance: (2.1e-3, "two steps of 1 ms"),
             }
-            .holds();
+            .holds(&PAGE);
         }
     }
 }
@@ -171,7 +171,7 @@ fn air_row(case: &str, value: f64, expected: f64) {
         source: "balance of the air by hand",
         tolerance: (5e-4, "a command is heard a step of 1 ms late; rates of up to 0.1/s"),
     }
-    .holds();
+    .holds(&PAGE);
 }
 
 /// The second application finds what the reservoirs have got back in 30 s: those at the head, with
@@ -255,5 +255,5 @@ fn analytic_heat_of_the_wheels_is_the_work_of_the_brakes() {
         source: "work against the brakes",
         tolerance: (1e-9 * heat, "the same trapezoid, other order of the sum"),
     }
-    .holds();
+    .holds(&PAGE);
 }

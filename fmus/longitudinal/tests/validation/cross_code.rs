@@ -1,8 +1,9 @@
 //! Case A of the Train Propulsion Simulator, an independent program, complete up to its first brake
 //! application: `scenarios/benchmarks/tps-a`.
 //!
-//! Source of inputs and results: project reference, longitudinal, 1.6 (build 1.01.01 with variable
-//! step). Tolerances: those of the issue, 0.05 m/s and 5 %.
+//! Source of inputs and results: its shipped example `My_TPS_Input_File.txt`, run with build 1.01.01 and
+//! variable step. Tolerances: the speeds drift apart by up to 0.037 m/s for a cause that was not found;
+//! two programs whose couplers swing differently agree in a peak within some per cent.
 
 use std::path::Path;
 
@@ -79,9 +80,9 @@ fn benchmark_case_a_of_the_train_propulsion_simulator() {
             expected,
             unit: "m/s",
             source: "Train Propulsion Simulator, case A",
-            tolerance: (0.05, "of the issue"),
+            tolerance: (0.05, "a third more than the speeds drift apart"),
         }
-        .holds();
+        .holds(&PAGE);
     }
     assert!(state.vehicles[0].position < 12_874.8, "the brake is not yet applied");
     for (coupler, expected) in TENSIONS {
@@ -91,8 +92,11 @@ fn benchmark_case_a_of_the_train_propulsion_simulator() {
             expected,
             unit: "kN",
             source: "Train Propulsion Simulator, case A",
-            tolerance: (0.05 * expected, "5 % as the issue has it"),
+            tolerance: (
+                0.05 * expected,
+                "5 %: couplers swing differently, TPS keeps steps of up to 20 ms",
+            ),
         }
-        .holds();
+        .holds(&PAGE);
     }
 }

@@ -76,7 +76,8 @@ pub const SPEED: &str = "[speed]\nchainage_m = [0, 3000, 3500, 20000]\nkmh = [60
 /// Prints root mean square and greatest error, km/h, and fails beyond their limits.
 fn are_within(case: &str, (rms, greatest): (f64, f64), limits: (f64, f64)) {
     let value = format!("{rms:.2}, {greatest:.2} km/h");
-    bound(case, &format!("{}, {} km/h", limits.0, limits.1), &value);
+    let limit = format!("{}, {} km/h", limits.0, limits.1);
+    Bound { case, limit: &limit, obtained: &value }.stands_in(&PAGE);
     assert!(rms < limits.0 && greatest < limits.1, "{case}: {value}");
 }
 
@@ -99,11 +100,12 @@ fn property_drivers_keep_to_a_speed_profile_over_a_rolling_line() {
          dynamic_brake_s = 600\ntrain_brake_s = 600"
     );
     let uncontrolled = speed_errors(ROLLING, 30, &text);
-    bound(
-        "the same with feed-forward only and levers that hardly move",
-        "over 15 km/h",
-        &format!("{:.2}, {:.2} km/h", uncontrolled.0, uncontrolled.1),
-    );
+    Bound {
+        case: "the same with feed-forward only and levers that hardly move",
+        limit: "over 15 km/h",
+        obtained: &format!("{:.2}, {:.2} km/h", uncontrolled.0, uncontrolled.1),
+    }
+    .stands_in(&PAGE);
     assert!(uncontrolled.1 > 15.0, "{uncontrolled:?}");
 }
 
@@ -141,7 +143,7 @@ fn analytic_feed_forward_is_the_force_balance() {
         source: "balance of resistance and gravity",
         tolerance: (2e-3 * demand, "the drive lags behind the command by its ramp"),
     }
-    .holds();
+    .holds(&PAGE);
 }
 
 const LOGGER: &str = "Time (s), Notch, DB, Speed\n\

@@ -48,7 +48,7 @@ fn push(connection: &mut Connection, state: &mut ConnectionState, to: f64, speed
 }
 
 /// Forces of a wedge gear pushed in and coming out: spring force times the ratios of the statics
-/// (project reference 2.2), by hand for φ = 50°, μ₁ = 0.1, μ₂ = 0.3.
+/// (Cole 2006, chapter 9), by hand for φ = 50°, μ₁ = 0.1, μ₂ = 0.3.
 #[test]
 fn analytic_wedge_gear_follows_its_statics() {
     let mut both = connection(WEDGE, WEDGE);
@@ -68,7 +68,7 @@ fn analytic_wedge_gear_follows_its_statics() {
             source: "statics of the wedge",
             tolerance: (1e-6 * expected, "rounding"),
         }
-        .holds();
+        .holds(&PAGE);
     };
     row("wedge gears pushed in by 40 mm each", -state.force, 450e3 * ratio_in);
     push(&mut both, &mut state, -2.0 * (preloaded + 0.030), 0.0);
@@ -113,7 +113,7 @@ fn analytic_energy_of_a_closed_cycle_of_the_gears() {
         source: "area under the loading curve",
         tolerance: (20.0, "corners of the curve cut by 20000 steps"),
     }
-    .holds();
+    .holds(&PAGE);
     let dissipated = loaded + push(&mut connection, &mut state, 0.0, 0.0);
     // Coming out, the force falls along the locked stiffness (200 N/µm) to the unloading curve.
     let force = gear.draft.loading.force_at_kn(60.0);
@@ -131,7 +131,7 @@ fn analytic_energy_of_a_closed_cycle_of_the_gears() {
         source: "area between the curves",
         tolerance: (1e-3 * expected, "corners of the curves cut by 20000 steps"),
     }
-    .holds();
+    .holds(&PAGE);
     assert_eq!(state.force, 0.0);
 }
 

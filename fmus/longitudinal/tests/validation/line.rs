@@ -8,16 +8,32 @@ use track::Track;
 
 use crate::support::*;
 
-/// Source: project reference 3.2 in N/t: 0.0004 m g deg is 6853/R there, with the degree over an arc
-/// of 100 ft and g = 9.81; Roeckl 650/(R − 55) and 500/(R − 30) N/kN; 6116/R.
+/// Sources, in N/t: 0.8 lb a short ton and degree (0.0004 m g deg) is 6853/R, with the degree over an
+/// arc of 100 ft and g = 9.81; Röckl 650/(R − 55) and 500/(R − 30) N/kN; 6116/R, which is 0.8 lb a long
+/// ton and degree.
 #[test]
 fn benchmark_curve_resistance_by_formula() {
     let without = "without = ['resistance']\n[resistance]\ncurve_formula";
     let cases = [
-        (format!("{without} = 'degree'"), 400.0, 6853.0 / 400.0),
-        (format!("{without} = 'roeckl'"), 400.0, 9.80665 * 650.0 / 345.0),
-        (format!("{without} = 'roeckl'"), 250.0, 9.80665 * 500.0 / 220.0),
-        (format!("{without} = 'radius'\ncurve_n_m_per_t = 6116.0"), 400.0, 6116.0 / 400.0),
+        (format!("{without} = 'degree'"), 400.0, 6853.0 / 400.0, "0.8 lb a short ton and degree"),
+        (
+            format!("{without} = 'roeckl'"),
+            400.0,
+            9.80665 * 650.0 / 345.0,
+            "Röckl's formula by hand",
+        ),
+        (
+            format!("{without} = 'roeckl'"),
+            250.0,
+            9.80665 * 500.0 / 220.0,
+            "Röckl's formula by hand",
+        ),
+        (
+            format!("{without} = 'radius'\ncurve_n_m_per_t = 6116.0"),
+            400.0,
+            6116.0 / 400.0,
+            "6116/R by hand",
+        ),
         (
             format!(
                 "{without} = 'table'\ncurve_table.per_km = [0, 2, 4]\n\
@@ -25,19 +41,20 @@ fn benchmark_curve_resistance_by_formula() {
             ),
             400.0,
             17.5,
+            "the table's points by hand",
         ),
     ];
-    for (text, radius, expected) in cases {
+    for (text, radius, expected, source) in cases {
         let curve = CurveResistance::new(&vehicle_of(&text)).unwrap();
         Row {
             case: &format!("curve resistance at {radius} m, {}", text.lines().last().unwrap()),
             value: curve.force(-1.0 / radius) / 134.0,
             expected,
             unit: "N/t",
-            source: "project reference 3.2",
+            source,
             tolerance: (5e-4 * expected, "rounding of 6853 and of g there"),
         }
-        .holds();
+        .holds(&PAGE);
         assert_eq!(curve.force(0.0), 0.0);
     }
 }
@@ -121,9 +138,9 @@ fn analytic_energy_balance_over_a_crest_with_long_vehicles() {
         expected: 0.0,
         unit: "of the work of traction",
         source: "conservation of energy",
-        tolerance: (1e-4, "what the issue asks for; integration errors only"),
+        tolerance: (1e-4, "integration errors only"),
     }
-    .holds();
+    .holds(&PAGE);
 }
 
 /// Static sag: the force changes from coupler to coupler by the weight of the vehicle between them
@@ -156,6 +173,6 @@ fn analytic_static_forces_in_a_sag() {
             source: "closed form",
             tolerance: (0.1, "what is left of the swinging after 300 s, of forces of 1e4 N"),
         }
-        .holds();
+        .holds(&PAGE);
     }
 }

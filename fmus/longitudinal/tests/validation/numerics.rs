@@ -72,17 +72,19 @@ fn property_shipped_gears_are_stable_at_the_step_of_the_model() {
     for name in ["friction-gear-m901e", "friction-gear-sa3", "elastic-tps"] {
         let train = train(&block_train(1, 3), &gear(name), Track::straight());
         let (longest, _) = train.longest_stable_step();
-        bound(
-            &format!("longest stable step, {name}"),
-            "over 1 ms",
-            &format!("{:.1} ms", longest * 1e3),
-        );
+        Bound {
+            case: &format!("longest stable step, {name}"),
+            limit: "over 1 ms",
+            obtained: &format!("{:.1} ms", longest * 1e3),
+        }
+        .stands_in(&PAGE);
         assert!(longest > LONGEST_STEP);
     }
 }
 
-/// Blending the curves over too small a speed is refused with the limit. Source of the limit: project
-/// reference 2.4, a gap of 800 kN and 10 mm/s are good for about 1.7 ms.
+/// Blending the curves over too small a speed is refused with the limit. Source of the limit:
+/// the blended curves damp by gap over speed, half a gap of 400 kN over 10 mm/s is c = 40 MN s/m, and an
+/// explicit step of masses m = 134 t is stable up to 2 m/(4 c) = 1.7 ms.
 #[test]
 fn benchmark_limit_of_a_transition_speed() {
     let of = |speed: f64| {
@@ -101,10 +103,10 @@ fn benchmark_limit_of_a_transition_speed() {
         value: longest * 1e3,
         expected: 1.7,
         unit: "ms",
-        source: "project reference 2.4",
-        tolerance: (0.05, "rounding of the published figure"),
+        source: "2 m/(4 c) by hand",
+        tolerance: (0.05, "rounding of the figure"),
     }
-    .holds();
+    .holds(&PAGE);
     assert!(of(5.0).check_step().is_ok());
     let message = of(2.0).check_step().unwrap_err().to_string();
     assert!(
@@ -126,11 +128,12 @@ fn property_error_falls_with_the_square_of_the_step() {
     };
     let finest = end(2.5e-5);
     let errors = [1e-3, 5e-4, 2.5e-4].map(|step| (end(step) - finest).abs());
-    bound(
-        "error of a speed at 1, 0.5, 0.25 ms",
-        "by the square of the step",
-        &format!("{} m/s", errors.map(|error| format!("{error:.2e}")).join(", ")),
-    );
+    Bound {
+        case: "error of a speed at 1, 0.5, 0.25 ms",
+        limit: "by the square of the step",
+        obtained: &format!("{} m/s", errors.map(|error| format!("{error:.2e}")).join(", ")),
+    }
+    .stands_in(&PAGE);
     for pair in errors.windows(2) {
         let order = (pair[0] / pair[1]).log2();
         // The finest step has an error of its own, a hundredth of that at 0.25 ms.
@@ -156,11 +159,12 @@ fn property_gears_do_not_chatter() {
     let highest = 2.0 * (200e6 / 134e3_f64).sqrt();
     let most = (5.0 * highest / std::f64::consts::PI) as usize + 1;
     let greatest = changes.iter().fold(0.0_f64, |a, change| a.max(change.abs()));
-    bound(
-        "reversals of a coupler force in 5 s",
-        &format!("{most}, of the highest frequency"),
-        &format!("{reversals}, of up to {greatest:.0} N a step"),
-    );
+    Bound {
+        case: "reversals of a coupler force in 5 s",
+        limit: &format!("{most}, of the highest frequency"),
+        obtained: &format!("{reversals}, of up to {greatest:.0} N a step"),
+    }
+    .stands_in(&PAGE);
     assert!(reversals <= most, "{reversals} of at most {most}");
     // 1e-3 of the force in a step of 1 ms.
     assert!(greatest < 1e-3 * forces[0].abs(), "{greatest} N");

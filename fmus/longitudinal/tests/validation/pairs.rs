@@ -40,7 +40,7 @@ fn analytic_peak_force_of_an_impact_of_two_vehicles() {
             source: "closed form",
             tolerance: (0.005 * expected, "the peak may lie between two steps of 1 ms"),
         }
-        .holds();
+        .holds(&PAGE);
     }
 }
 
@@ -58,7 +58,7 @@ fn analytic_impact_with_a_blended_law() {
         source: "the clamped law",
         tolerance: (0.02 * clamped, "1/2 (v_e/v)² of the energy, and 20 ms on the way down"),
     }
-    .holds();
+    .holds(&PAGE);
 }
 
 /// A drawbar is a spring without slack: two vehicles oscillate with ω² = 2 K/m, K of two in series.
@@ -86,7 +86,7 @@ fn analytic_drawbar_between_two_vehicles_oscillates() {
         source: "closed form",
         tolerance: (1e-3 * expected, "(ωh)²/24 = 6e-5 of the step, and its interpolation"),
     }
-    .holds();
+    .holds(&PAGE);
 }
 
 /// A damped elastic connection loses the energy c ω π A² of each period: the amplitude falls with
@@ -112,5 +112,5 @@ fn analytic_elastic_gear_with_damping() {
         source: "closed form",
         tolerance: (0.02 * expected, "c/(m ω) = 2 % within a period"),
     }
-    .holds();
+    .holds(&PAGE);
 }

@@ -13,7 +13,7 @@ const KMH: f64 = 1.0 / 3.6;
 fn resistance(train: &TrainDynamics, state: &TrainState) -> f64 {
     -train.totals(state).resistance
 }
-/// Source: Cole's formula by hand, project reference 3.1: 187 kN for four axles a vehicle, 210 kN
+/// Source: Cole's formula by hand: 187 kN for four axles a vehicle, 210 kN
 /// for six, for the paper's 130 vehicles at 60 km/h.
 #[test]
 fn benchmark_resistance_of_the_train_at_60_kmh() {
@@ -28,13 +28,13 @@ fn benchmark_resistance_of_the_train_at_60_kmh() {
             expected,
             unit: "N",
             source: "Cole 2006 by hand",
-            tolerance: (500.0, "rounding of the published figure"),
+            tolerance: (500.0, "rounding of the figure"),
         }
-        .holds();
+        .holds(&PAGE);
     }
 }
 
-/// Source: 17 420 t times g, project reference 1.7: 170.9 kN (with g = 9.81 m/s²).
+/// Source: 17 420 t times g: 170.9 kN (with g = 9.81 m/s²).
 #[test]
 fn benchmark_force_of_a_gradient_of_one_permille() {
     let mut train = train(&block_train(2, 128), &friction_gear(), gradient(1.0));
@@ -47,10 +47,10 @@ fn benchmark_force_of_a_gradient_of_one_permille() {
         source: "m g i",
         tolerance: (100.0, "rounding of g"),
     }
-    .holds();
+    .holds(&PAGE);
 }
 
-/// Source: issue 2, by hand: 2 × 3207 kW, 85 to 100 % at the rail, ALTRIOS's notch fractions:
+/// Source: power over speed by hand: 2 × 3207 kW, 85 to 100 % at the rail, ALTRIOS's notch fractions:
 /// 173 to 203 kN in notch 5 and 327 to 385 kN in notch 8 at 60 km/h.
 #[test]
 fn benchmark_traction_in_notches_5_and_8() {
@@ -67,10 +67,10 @@ fn benchmark_traction_in_notches_5_and_8() {
             value: train.totals(&state).traction,
             expected,
             unit: "N",
-            source: "issue 2",
-            tolerance: (500.0, "rounding of the published figure"),
+            source: "power over speed by hand",
+            tolerance: (500.0, "rounding of the figure"),
         }
-        .holds();
+        .holds(&PAGE);
     }
 }
 
@@ -89,7 +89,7 @@ fn canadian_national(mut vehicle: Vehicle, axles: u32, drag: f64) -> Vehicle {
     vehicle
 }
 
-/// Source: project reference 1.7, computed for the Canadian National formula with loaded gondolas
+/// Source: computed by hand for the Canadian National formula with loaded gondolas
 /// (four axles, 105 ft², C 4.2), a leading and a trailing locomotive (160 ft², C 24.0 and 5.5),
 /// 2 × 3207 kW × 0.85 and no limit of adhesion.
 #[test]
@@ -113,10 +113,10 @@ fn benchmark_balancing_speeds_of_the_train() {
             value: inverse(|kmh| -surplus(kmh), 0.0, 120.0),
             expected,
             unit: "km/h",
-            source: "project reference 1.7",
-            tolerance: (0.1, "rounding of the published figure, of g and of the mass"),
+            source: "Canadian National's formula by hand",
+            tolerance: (0.1, "rounding of the figure, of g and of the mass"),
         }
-        .holds();
+        .holds(&PAGE);
     }
 }
 
@@ -158,6 +158,6 @@ fn analytic_speed_of_the_paper_s_train_after_200_s() {
             source: "one mass",
             tolerance: (1e-4, "exchange of speed between vehicles as the couplers settle"),
         }
-        .holds();
+        .holds(&PAGE);
     }
 }

@@ -4,70 +4,20 @@ use longitudinal::driver::Command;
 use longitudinal::{Couplers, Start, TrainDynamics, TrainState};
 use stock::{DraftGear, Library, Vehicle};
 use track::Track;
+pub use validation::{Bound, Page, Row};
 
 /// Folder of the shipped rolling stock.
 const STOCK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../stock");
 
 /// The page that has the table of all comparisons.
-const PAGE: &str = include_str!("../../../../docs/validation/longitudinal.md");
-
-/// Fails unless the page has a row that begins like this.
-fn is_on_the_page(row: &str) {
-    assert!(PAGE.contains(row), "docs/validation/longitudinal.md has no row that begins: {row}");
-}
+pub const PAGE: Page = Page {
+    path: "docs/validation/longitudinal.md",
+    text: include_str!("../../../../docs/validation/longitudinal.md"),
+};
 
 /// The shipped rolling stock.
 pub fn library() -> Library {
     Library::open(STOCK).expect("the repository has a stock folder")
-}
-
-/// One line of the validation table.
-pub struct Row<'a> {
-    /// What is compared.
-    pub case: &'a str,
-    /// Value of the model.
-    pub value: f64,
-    /// Value that the source has.
-    pub expected: f64,
-    /// Unit of both.
-    pub unit: &'a str,
-    /// Where the expectation comes from.
-    pub source: &'a str,
-    /// Allowed difference, and why it is what it is.
-    pub tolerance: (f64, &'a str),
-}
-
-impl Row<'_> {
-    /// Prints the line and fails unless the value is within the tolerance.
-    pub fn holds(&self) {
-        let Self { case, value, expected, unit, source, tolerance } = self;
-        let begin = format!("| {case} | {} {unit} | {source} | ", short(*expected));
-        println!(
-            "{begin}{} {unit} | {} {unit}: {} |",
-            short(*value),
-            short(tolerance.0),
-            tolerance.1
-        );
-        is_on_the_page(&begin);
-        let difference = (value - expected).abs();
-        assert!(difference <= tolerance.0, "{case}: {value} {unit}, expected {expected} {unit}");
-    }
-}
-
-/// Prints a line of the table whose expectation is a bound.
-pub fn bound(case: &str, bound: &str, value: &str) {
-    let begin = format!("| {case} | {bound} | bound | ");
-    println!("{begin}{value} | |");
-    is_on_the_page(&begin);
-}
-
-/// A number with six digits.
-pub fn short(value: f64) -> String {
-    let digits = 5 - value.abs().max(1e-12).log10().floor() as i32;
-    match digits {
-        0..=9 => format!("{value:.*}", digits as usize),
-        _ => format!("{value:.3e}"),
-    }
 }
 
 /// The paper's locomotive.
