@@ -220,7 +220,6 @@ fn a_wrong_line_of_a_weather_file_is_answered_with_the_users_file() {
     let file = scenario.folder.path().join("weather.csv");
     std::fs::write(&file, "time_s,air\n0,300\n").unwrap();
     let message = refusal(&scenario.run(&[]));
-    // The message is wrapped at spaces only, so the path stays whole.
-    assert_says(&message, &["weather.csv, line 1: must be time_s,air_degC"]);
+    assert_says(&message, &["weather.csv:1:1: the columns must be time_s,air_degC"]);
     assert!(!message.contains("resources"), "the copy is not named: {message}");
 }

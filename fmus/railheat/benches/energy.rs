@@ -9,17 +9,17 @@ mod train;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution};
-use railheat::energy::weather::Weather;
-use railheat::energy::wheels::WheelHeat;
+use railheat::HeatModel;
+use railheat::contact::{Wheel, WheelHeat};
+use railheat::energy::{EnergyModel, Parameters, Resolution};
+use railheat::line::Line;
 use railheat::section::RailFile;
-use railheat::wheels::Wheel;
+use railheat::weather::Weather;
 use train::{SPEED, VEHICLES, wheels};
 
 const WEATHER: Weather = Weather::still(298.15);
 
-fn model(resolution: Resolution) -> Energy {
+fn model(resolution: Resolution) -> EnergyModel {
     let outline = RailFile::open("AS60").expect("a section that is built in").outline();
     let line = Line { begin: -2700.0, element_length: 0.1, elements: 70_000 };
     let parameters = Parameters {
@@ -28,11 +28,11 @@ fn model(resolution: Resolution) -> Energy {
         depths: vec![0.02, 0.06],
         ..Parameters::new(outline, line)
     };
-    Energy::new(parameters, &[6; VEHICLES], &WEATHER, 0.0).expect("a section of some cells")
+    EnergyModel::new(parameters, &[6; VEHICLES], &WEATHER, 0.0).expect("a section of some cells")
 }
 
 /// A model over which the train has run for 200 s.
-fn after_the_run(resolution: Resolution) -> (Energy, Vec<Wheel>) {
+fn after_the_run(resolution: Resolution) -> (EnergyModel, Vec<Wheel>) {
     let mut model = model(resolution);
     let at = |time: f64| wheels(SPEED * time, |_, wheel| Wheel { friction_power: 400.0, ..wheel });
     for step in 0..200 {

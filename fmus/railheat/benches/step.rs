@@ -9,27 +9,24 @@ mod train;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use railheat::flash_temperature::Friction;
-use railheat::material::Material;
-use railheat::paper::{Paper, Parameters};
-use railheat::rail::Grid;
-use railheat::surface::{Surface, Weather};
-use railheat::wheels::Wheel;
+use railheat::HeatModel;
+use railheat::contact::{Friction, Material, Wheel};
+use railheat::line::Line;
+use railheat::paper::{Grid, PaperModel, Parameters, RunningSurface};
+use railheat::weather::Weather;
 use train::{SPEED, VEHICLES, wheels};
 
-const WEATHER: Weather = Weather { ambient: 298.15, irradiance: 1366.0 };
+const WEATHER: Weather = Weather { direct: 1366.0, ..Weather::still(298.15) };
 
 /// The end of the conduction interval that comes next never arrives in `wheels`: each iteration
 /// tells the model of the same millisecond, with the wheels further on.
 const START: f64 = 200.0;
 
 /// 7 km of track.
-fn model() -> Paper {
+fn model() -> PaperModel {
     let parameters = Parameters {
         grid: Grid {
-            begin: -2700.0,
-            element_length: 0.1,
-            elements: 70_000,
+            line: Line { begin: -2700.0, element_length: 0.1, elements: 70_000 },
             cell_size: 0.005,
             cells: 34,
         },
@@ -37,15 +34,15 @@ fn model() -> Paper {
         conduction_interval: 0.05,
         material: Material::PAPER,
         friction: Friction::PAPER,
-        surface: Surface::PAPER,
-        initial_temperature: Surface::PAPER.equilibrium(&WEATHER),
+        surface: RunningSurface::PAPER,
+        initial_temperature: RunningSurface::PAPER.equilibrium(&WEATHER),
         depths: vec![0.02, 0.06],
     };
-    Paper::new(parameters, 6 * VEHICLES, 0.0).expect("a stable interval")
+    PaperModel::new(parameters, 6 * VEHICLES, 0.0).expect("a stable interval")
 }
 
 /// A model over which the train has run for 200 s.
-fn after_the_run() -> (Paper, Vec<Wheel>) {
+fn after_the_run() -> (PaperModel, Vec<Wheel>) {
     let mut model = model();
     let at = |time: f64| {
         let creepage = |vehicle: usize| 1e-3 / (1 + vehicle) as f64;

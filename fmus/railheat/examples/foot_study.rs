@@ -11,14 +11,12 @@
 #[path = "../benches/train/mod.rs"]
 mod train;
 
-use railheat::energy::bending::Beam;
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, TrainWeather};
-use railheat::energy::sun::Sun;
-use railheat::energy::weather::Weather;
-use railheat::energy::wheels::WheelHeat;
+use railheat::HeatModel;
+use railheat::contact::{Wheel, WheelHeat};
+use railheat::energy::{Beam, EnergyModel, Parameters, TrainWeather};
+use railheat::line::Line;
 use railheat::section::RailFile;
-use railheat::wheels::Wheel;
+use railheat::weather::{Sun, Weather};
 use train::{SPEED, VEHICLES};
 
 /// A clear night, and a summer's day with the sun high at the side.
@@ -86,7 +84,7 @@ const CASES: [Case; 11] = [
     },
 ];
 
-fn model(case: &Case) -> Energy {
+fn model(case: &Case) -> EnergyModel {
     let outline = RailFile::open("AS60").expect("a section that is built in").outline();
     let base = Parameters::new(outline, Line { begin: 0.0, element_length: 0.1, elements: 50 });
     let parameters = Parameters {
@@ -100,7 +98,7 @@ fn model(case: &Case) -> Energy {
         depths: vec![0.06],
         ..base
     };
-    Energy::new(parameters, &[6; VEHICLES], &case.weather, 0.0)
+    EnergyModel::new(parameters, &[6; VEHICLES], &case.weather, 0.0)
         .expect("a section of the default cells")
 }
 

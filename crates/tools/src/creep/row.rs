@@ -6,9 +6,7 @@ use contact::{
     ContactPatch, CreepForces, CreepLaw, FallingFriction, ModifiedFastsim, Polach, Reduction,
     STEEL, SlipVelocity,
 };
-use railheat::creep_force::Contact;
-use railheat::flash_temperature::flash_rise;
-use railheat::material::Material;
+use railheat::contact::{Contact, Material, flash_rise};
 
 use super::arguments::{CreepArguments, Law};
 use crate::error::{ToolError, ensure};

@@ -1,7 +1,6 @@
 //! The train that benches and the foot study share: 130 six-axle vehicles at 60 km/h.
 
-use railheat::creep_force::Contact;
-use railheat::wheels::Wheel;
+use railheat::contact::{Contact, Wheel};
 
 /// Vehicles of the train.
 pub const VEHICLES: usize = 130;

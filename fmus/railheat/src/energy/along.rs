@@ -1,4 +1,4 @@
-//! Conduction along the track, for places such as a joint or a wheel burn.
+//! Conduction along the track, which matters at a joint or a wheel burn.
 //!
 //! All of the section has one diffusivity, so that conduction along the track is the same in every
 //! mode and couples none of them (theory eq. 10):

@@ -1,11 +1,11 @@
-//! What the run says about the foot: its highest rise so far, when a camera could first see it,
-//! and what one on the train itself sees.
+//! What the run says about the foot of the rail.
 //!
-//! All is the rise over untouched rail at the same time: what the train has done.
+//! Its highest rise so far, when a camera could first see it, and what a camera on the train
+//! itself sees. All are rises over untouched rail at the same time: what the train has done.
 
 use serde::{Deserialize, Serialize};
 
-/// A rise of the foot with its place and time.
+/// A rise of the foot with its chainage and time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// Rise, K.

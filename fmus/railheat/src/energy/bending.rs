@@ -52,8 +52,9 @@ impl Beam {
         (self.track_modulus / (4.0 * self.modulus * self.second_moment)).sqrt().sqrt()
     }
 
-    /// Bending moment in N·m under wheel loads in N at their distances in m; positive puts the foot in
-    /// tension.
+    /// Bending moment under wheel loads in N at their distances in m, N·m.
+    ///
+    /// A positive moment puts the foot in tension.
     pub fn moment(&self, loads: impl IntoIterator<Item = (f64, f64)>) -> f64 {
         let decay = self.decay();
         let reach = REACH / decay;
@@ -65,8 +66,9 @@ impl Beam {
         near.map(of_load).sum::<f64>() / (4.0 * decay)
     }
 
-    /// Reversible temperature change in K of the foot's underside by a bending moment, at a
-    /// temperature in K of a steel with this heat capacity in J/(m³·K).
+    /// Reversible temperature change of the foot's underside by a bending moment in N·m, K.
+    ///
+    /// The rail has a temperature in K and a heat capacity in J/(m³·K).
     pub fn thermoelastic(&self, moment: f64, temperature: f64, heat_capacity: f64) -> f64 {
         let stress = moment * self.to_foot / self.second_moment;
         -self.expansion * temperature / heat_capacity * stress

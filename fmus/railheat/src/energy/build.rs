@@ -4,21 +4,18 @@ use std::ops::Range;
 
 use super::along::Along;
 use super::answer::Answer;
-use super::crown::Crown;
 use super::elements::{Elements, Extra};
 use super::followers::{self, Followers};
-use super::initial::{Initial, NeverSettles};
+use super::initial::Initial;
 use super::ledger::Ledger;
-use super::light::Light;
-use super::model::{Energy, State};
+use super::model::{EnergyModel, State};
 use super::parameters::{Parameters, Resolution, Start};
-use super::propagator::Propagator;
-use super::readings::Readings;
+use super::start::NeverSettles;
 use super::untouched::{self, Untouched};
-use super::weather::{Surface, Weather};
 use super::zones::{self, Sector, Zone};
-use crate::rail::Highest;
-use crate::section::{Cells, Modes, NoModes};
+use crate::line::Highest;
+use crate::section::{Cells, Crown, Modes, NoModes, Propagator, Readings};
+use crate::weather::{Light, Surface, Weather};
 
 /// The model cannot begin.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -31,7 +28,7 @@ pub enum CannotBegin {
     Day(#[from] NeverSettles),
 }
 
-impl Energy {
+impl EnergyModel {
     /// A rail at its start, with so many wheels on each vehicle.
     ///
     /// # Errors
@@ -97,7 +94,7 @@ impl Energy {
             propagator,
             surface: vec![0.0; line.elements],
             foot: Highest { rise: 0.0, chainage: line.chainage(0) },
-            places: vec![None; wheels],
+            chainages: vec![None; wheels],
             source: vec![0.0; kept],
             vehicles: vehicles(wheelsets),
             state: initial,
@@ -131,8 +128,9 @@ impl Beginning<'_> {
         let Self { parameters, modes, weather, base } = *self;
         let (outline, exchange) = (&parameters.outline, &parameters.exchange);
         let light = Light::new(outline, untouched.surface(), exchange, weather, sector.azimuth);
+        let pieces = untouched.surface().facets().len();
         let initial = match &parameters.start {
-            Start::Uniform(temperature) => Initial::uniform(untouched, modes, *temperature),
+            Start::Uniform(temperature) => Initial::uniform(pieces, modes, *temperature),
             Start::Equilibrium => {
                 Initial::equilibrium(untouched, modes, weather, &light.absorbed, base)
             }
@@ -184,7 +182,7 @@ impl State {
             highest: vec![nowhere; levels],
             highest_flash: 0.0,
             answer: Answer::default(),
-            stray_told: false,
+            stray_warned: false,
         }
     }
 }

@@ -9,21 +9,19 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::crown::Crown;
 use super::followers::Followers;
 use super::ledger::Sources;
-use super::propagator::Propagator;
-use crate::section::{LANES, Modes, add, dot};
-use crate::wheels::Wheel;
+use crate::contact::Wheel;
+use crate::section::{Crown, LANES, Modes, Propagator, Readings, add, dot};
 
 /// What an element gets between two steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Deposit {
     /// Heat through contacts, J/m.
     pub contact: f64,
-    /// The same weighted by its size: how much there is to place.
+    /// The same weighted by its size: the weight of its position.
     pub weight: f64,
-    /// Weight times lateral place, J.
+    /// Weight times lateral position, J.
     pub lateral: f64,
     /// Weight times half width, J.
     pub half_width: f64,
@@ -35,16 +33,16 @@ pub struct Deposit {
     pub shaded: f64,
 }
 
-/// Where on the head a contact is.
+/// The band of the head that a contact covers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct Band {
     /// To the right of the rail's middle, m.
     pub lateral: f64,
     /// Half its width, m.
     pub half_width: f64,
 }
 
-impl From<&Wheel> for Place {
+impl From<&Wheel> for Band {
     fn from(wheel: &Wheel) -> Self {
         Self { lateral: wheel.lateral_position, half_width: wheel.contact.b }
     }
@@ -70,8 +68,9 @@ pub struct Extra {
 }
 
 impl Extra {
-    /// The weather of the start, with the share of each mode in the mean rise of the surface, for so
-    /// many readings.
+    /// Nothing more than untouched rail feels, as in the weather of the start.
+    ///
+    /// `mean` is the share of each mode in the mean rise of the surface.
     pub fn none(mean: Vec<f64>, readings: usize) -> Self {
         Self {
             shade: vec![0.0; mean.len()],
@@ -101,8 +100,7 @@ pub struct Elements {
     width: usize,
     /// Element after element.
     amplitudes: Vec<f64>,
-    /// How many of the amplitudes of each element, in groups of [`LANES`], have not decayed; the others
-    /// are zero.
+    /// Groups of [`LANES`] amplitudes of each element that have not decayed; the others are zero.
     alive: Vec<u16>,
     /// What the modes that follow add to each reading, K, element after element.
     followed: Vec<f64>,
@@ -139,15 +137,15 @@ impl Elements {
     }
 
     /// A contact leaves heat in an element of a length in m; `left` is in J.
-    pub fn leave(&mut self, element: usize, place: &Place, left: Sources, length: f64) {
+    pub fn deposit(&mut self, element: usize, band: &Band, left: Sources, length: f64) {
         self.touched[element] = true;
         let deposit = &mut self.deposits[element];
         let contact = (left.friction + left.chill) / length;
         let weight = (left.friction.abs() + left.chill.abs()) / length;
         deposit.contact += contact;
         deposit.weight += weight;
-        deposit.lateral += weight * place.lateral;
-        deposit.half_width += weight * place.half_width;
+        deposit.lateral += weight * band.lateral;
+        deposit.half_width += weight * band.half_width;
         deposit.bending += left.bending / length;
         let sources = &mut self.sources[element];
         sources.friction += left.friction / length;
@@ -199,6 +197,15 @@ impl Elements {
         &self.followed[element * self.readings..][..self.readings]
     }
 
+    /// What an element has more than untouched rail at a reading, counted through levels and rows, K.
+    pub fn read(&self, element: usize, readings: &Readings, reading: usize) -> f64 {
+        let shape = match reading.checked_sub(readings.levels.len()) {
+            None => &readings.levels[reading],
+            Some(row) => &readings.rows[row],
+        };
+        dot(shape, self.amplitudes(element)) + self.followed(element)[reading]
+    }
+
     /// Heat by source of an element beyond untouched rail, J/m.
     pub fn sources(&self, element: usize) -> Sources {
         self.sources[element]
@@ -236,8 +243,9 @@ impl Elements {
     }
 }
 
-/// Fills the sources of the modes over a step, J/m, and what the modes that follow make of them in the readings, K.
-/// Gives the heat of all, if there is any, and that of the weather among it.
+/// Fills the sources of the modes over a step, and what the modes that follow add to the readings.
+///
+/// Gives the heat of all sources in J/m, if there is any, and that of the weather among it.
 fn fill(
     [source, followed]: [&mut [f64]; 2],
     deposit: &Deposit,

@@ -9,10 +9,7 @@
 
 use std::ops::Range;
 
-use super::crown::Crown;
-use super::propagator::Propagator;
-use super::readings::Readings;
-use crate::section::{Modes, add};
+use crate::section::{Crown, Modes, Propagator, Readings, add};
 
 /// Decays of a mode in an interval from which on it follows.
 pub const DECAYS: f64 = 5.0;

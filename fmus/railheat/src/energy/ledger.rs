@@ -33,7 +33,7 @@ impl Sources {
         }
     }
 
-    /// Heat that moved, whichever way: the measure of the audit's error.
+    /// Heat that moved, in or out: the measure of the audit's error.
     pub fn moved(&self) -> f64 {
         self.friction.abs() + self.chill.abs() + self.bending.abs() + self.weather.abs()
     }

@@ -6,19 +6,10 @@
 //! | `build.rs` | the model at its start |
 //! | `view.rs` | what can be read of it |
 //! | `parameters.rs` | all constants |
-//! | `wheels.rs` | heat of friction, and the temperature of each wheel |
-//! | `chill.rs` | conduction between wheel and rail |
 //! | `bending.rs` | thermoelastic temperature change and hysteresis heat |
-//! | `weather.rs` | heat exchanged with air, sky, sun and pad by each piece of surface |
-//! | `sun.rs`, `light.rs` | the sun seen from the rail, its shadow, the light absorbed |
-//! | `ephemeris.rs` | where the sun stands, by place and time |
-//! | `shadow.rs` | the shadow of a vehicle on the rail |
 //! | `zones.rs` | the directions in which the track runs |
 //! | `untouched.rs` | rail that no wheel has touched |
-//! | `initial.rs` | its temperatures at the start |
-//! | `crown.rs` | where on the head a contact's heat goes |
-//! | `readings.rs` | where in the section the rise is read |
-//! | `propagator.rs` | one exact step of the modes |
+//! | `initial.rs`, `start.rs` | its temperatures at the start, and how they are found |
 //! | `elements.rs` | what each element has more than untouched rail |
 //! | `followers.rs` | modes so fast that they follow the heat |
 //! | `along.rs` | conduction along the track |
@@ -28,27 +19,28 @@
 //! | `ledger.rs` | heat by source, and the audit |
 
 mod along;
-pub mod answer;
-pub mod bending;
-pub mod build;
-pub mod chill;
-pub mod crown;
-pub mod elements;
-pub mod ephemeris;
-pub mod followers;
-pub mod initial;
-pub mod ledger;
-mod light;
-pub mod model;
+mod answer;
+mod bending;
+mod build;
+mod elements;
+mod followers;
+mod initial;
+mod ledger;
+mod model;
 mod observe;
-pub mod parameters;
-pub mod propagator;
-pub mod readings;
-pub mod shadow;
-pub mod sun;
+mod parameters;
+mod start;
 mod surroundings;
-pub mod untouched;
+mod untouched;
 mod view;
-pub mod weather;
-pub mod wheels;
-pub mod zones;
+mod zones;
+
+pub use answer::{Answer, Finding};
+pub use bending::Beam;
+pub use build::CannotBegin;
+pub use initial::Initial;
+pub use ledger::{Ledger, Sources};
+pub use model::{EnergyModel, LONGEST_IDLE, State};
+pub use parameters::{Parameters, Resolution, Start, TrainWeather};
+pub use start::{Day, NeverSettles};
+pub use zones::{Azimuth, SECTOR, Sector, sectors};

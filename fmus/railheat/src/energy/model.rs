@@ -17,20 +17,16 @@ use serde::{Deserialize, Serialize};
 
 use super::along::Along;
 use super::answer::Answer;
-use super::crown::Crown;
 use super::elements::{Elements, Section};
 use super::followers::Followers;
 use super::ledger::{Ledger, Sources};
 use super::parameters::Parameters;
-use super::propagator::Propagator;
-use super::readings::Readings;
 use super::untouched::{self, Untouched};
-use super::weather::Weather;
 use super::zones::Zone;
-use crate::paper::Stray;
-use crate::rail::Highest;
-use crate::section::Modes;
-use crate::wheels::Wheel;
+use crate::contact::Wheel;
+use crate::line::Highest;
+use crate::section::{Crown, Modes, Propagator, Readings};
+use crate::weather::Weather;
 
 /// Slack in comparing times, s: steps are sums of rounded numbers.
 const SAME_TIME: f64 = 1e-9;
@@ -54,11 +50,11 @@ pub struct State {
     pub(super) highest: Vec<Highest>,
     pub(super) highest_flash: f64,
     pub(super) answer: Answer,
-    pub(super) stray_told: bool,
+    pub(super) stray_warned: bool,
 }
 
 /// The model of one rail.
-pub struct Energy {
+pub struct EnergyModel {
     pub(super) parameters: Parameters,
     pub(super) modes: Modes,
     pub(super) crown: Crown,
@@ -83,23 +79,14 @@ pub struct Energy {
     /// Highest excess of the foot when heat was conducted last.
     pub(super) foot: Highest,
     /// Where each loaded wheel is when heat is conducted, m.
-    pub(super) places: Vec<Option<f64>>,
+    pub(super) chainages: Vec<Option<f64>>,
     pub(super) source: Vec<f64>,
     pub(super) state: State,
 }
 
-impl Energy {
-    /// One step with the wheels as they are at its end and the weather meanwhile. Before the
-    /// first step a wheel is taken to have come with its speed.
-    ///
-    /// The first wheel that stands outside the modelled track is told of, once in a run.
-    pub fn step(
-        &mut self,
-        wheels: &[Wheel],
-        weather: &Weather,
-        start: f64,
-        length: f64,
-    ) -> Option<Stray> {
+impl EnergyModel {
+    /// Takes the rail and the wheels over a step; see [`HeatModel::step`](crate::HeatModel::step).
+    pub(super) fn advance(&mut self, wheels: &[Wheel], weather: &Weather, start: f64, length: f64) {
         for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
             position.get_or_insert(wheel.position - wheel.speed * length);
         }
@@ -120,13 +107,13 @@ impl Energy {
             self.pass(wheels, weather, length, done, 1.0);
         }
         for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
-            *position = wheel.place();
+            *position = wheel.present_position();
         }
-        self.stray(wheels)
     }
 
-    /// Length of the conduction intervals of a step that ends at `end`: without wheels on the rail
-    /// a whole number of them reaches it.
+    /// Length of the conduction intervals of a step that ends at `end`, s.
+    ///
+    /// Without wheels on the rail a whole number of them reaches the end.
     fn interval(&self, wheels: &[Wheel], end: f64) -> f64 {
         let interval = self.parameters.interval;
         let left = end - self.state.conducted;
@@ -167,12 +154,11 @@ impl Energy {
             let load = wheel.contact.normal_force;
             if load > 0.0 {
                 let begin = self.state.positions[index].unwrap_or(wheel.position);
-                let way =
-                    (between(begin, wheel.position, from), between(begin, wheel.position, to));
+                let [start, end] = [from, to].map(|share| between(begin, wheel.position, share));
                 let friction = heat.partition * wheel.friction_power * time;
                 let conductance = heat.conductance(wheel, material) * time;
-                let bending = self.hysteresis * load * load * (way.1 - way.0).abs();
-                for (element, share) in line.shares(way.0, way.1) {
+                let bending = self.hysteresis * load * load * (end - start).abs();
+                for (element, share) in line.shares(start, end) {
                     let rail = self.zones[usize::from(self.zone_of[element])].crown;
                     let over = temperature - rail - self.surface[element];
                     let left = Sources {
@@ -182,7 +168,7 @@ impl Energy {
                         weather: 0.0,
                     };
                     gained -= left.chill;
-                    self.state.elements.leave(element, &wheel.into(), left, line.element_length);
+                    self.state.elements.deposit(element, &wheel.into(), left, line.element_length);
                 }
             }
             self.state.wheels[index] += gained / heat.capacity;
@@ -193,9 +179,9 @@ impl Energy {
     fn conduct(&mut self, wheels: &[Wheel], weather: &Weather, until: f64, share: f64) {
         let time = until - self.state.conducted;
         let begins = &self.state.positions;
-        for ((place, wheel), begin) in self.places.iter_mut().zip(wheels).zip(begins) {
+        for ((chainage, wheel), begin) in self.chainages.iter_mut().zip(wheels).zip(begins) {
             let loaded = begin.filter(|_| wheel.contact.normal_force > 0.0);
-            *place = loaded.map(|begin| between(begin, wheel.position, share));
+            *chainage = loaded.map(|begin| between(begin, wheel.position, share));
         }
         let mut weather = *weather;
         if let Some(ephemeris) = &self.parameters.ephemeris {
@@ -207,7 +193,9 @@ impl Energy {
         }
         for (zone, state) in self.zones.iter_mut().zip(&mut self.state.untouched) {
             let Zone { light, initial, sector, .. } = zone;
-            light.shine(&self.parameters.outline, &self.untouched, &weather, sector.azimuth);
+            let (outline, azimuth) = (&self.parameters.outline, sector.azimuth);
+            let (surface, exchange) = (self.untouched.surface(), self.untouched.exchange());
+            light.shine(outline, surface, exchange, &weather, azimuth);
             let absorbed = &light.absorbed;
             self.untouched.step(state, initial, &self.modes, &weather, absorbed, time);
         }
@@ -242,23 +230,9 @@ impl Energy {
             along.conduct(&mut self.state.elements, &self.modes, number);
         }
     }
-
-    /// The first wheel that is outside the modelled track, if none was told of before.
-    fn stray(&mut self, wheels: &[Wheel]) -> Option<Stray> {
-        if self.state.stray_told {
-            return None;
-        }
-        let line = &self.parameters.line;
-        let is_stray = |wheel: &Wheel| {
-            wheel.contact.normal_force > 0.0 && line.element(wheel.position).is_none()
-        };
-        let wheel = wheels.iter().position(is_stray)?;
-        self.state.stray_told = true;
-        Some(Stray { wheel, position: wheels[wheel].position })
-    }
 }
 
-/// The place between two at a share of the way; exactly the last one at the end.
+/// The chainage at a share of the distance from `begin` to `end`; exactly `end` at the end.
 fn between(begin: f64, end: f64, share: f64) -> f64 {
     if share < 1.0 { begin + share * (end - begin) } else { end }
 }

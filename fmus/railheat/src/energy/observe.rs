@@ -2,22 +2,22 @@
 
 use super::answer::Finding;
 use super::ledger::{Ledger, Sources};
-use super::model::Energy;
-use crate::rail::Highest;
+use super::model::EnergyModel;
+use crate::line::Highest;
 use crate::section::dot;
 
-impl Energy {
+impl EnergyModel {
     /// Reads untouched rail and counts the heat of all elements.
     pub(super) fn read(&mut self) {
         self.read_untouched();
         let Self { readings, modes, surface, parameters, state, zones, zone_of, foot, .. } = self;
         let line = &parameters.line;
-        for (place, highest) in state.highest.iter_mut().enumerate() {
+        for (level, highest) in state.highest.iter_mut().enumerate() {
             let highest_zone =
-                zones.iter().max_by(|a, b| a.rises[place].total_cmp(&b.rises[place]));
+                zones.iter().max_by(|a, b| a.rises[level].total_cmp(&b.rises[level]));
             if let Some(zone) = highest_zone {
                 let chainage = line.chainage(zone.sector.first);
-                *highest = Highest { rise: zone.rises[place], chainage };
+                *highest = Highest { rise: zone.rises[level], chainage };
             }
         }
         *foot = Highest { rise: 0.0, chainage: line.chainage(0) };
@@ -34,15 +34,15 @@ impl Energy {
             let followed = state.elements.followed(element);
             *surface = dot(&readings.levels[0], amplitudes) + followed[0];
             let chainage = line.chainage(element);
-            for (place, highest) in state.highest.iter_mut().enumerate() {
-                let excess = match place {
+            for (level, highest) in state.highest.iter_mut().enumerate() {
+                let excess = match level {
                     0 => *surface,
-                    _ => dot(&readings.levels[place], amplitudes) + followed[place],
+                    _ => dot(&readings.levels[level], amplitudes) + followed[level],
                 };
-                if excess + rises[place] > highest.rise {
-                    *highest = Highest { rise: excess + rises[place], chainage };
+                if excess + rises[level] > highest.rise {
+                    *highest = Highest { rise: excess + rises[level], chainage };
                 }
-                if place == last && excess > foot.rise {
+                if level == last && excess > foot.rise {
                     *foot = Highest { rise: excess, chainage };
                 }
             }
@@ -65,14 +65,14 @@ impl Energy {
 
     /// What cameras see of the foot.
     pub(super) fn find(&mut self) {
-        let Self { readings, parameters, state, places, foot, .. } = self;
+        let Self { readings, parameters, state, chainages, foot, .. } = self;
         let line = &parameters.line;
         let time = state.conducted;
         let finding = Finding { rise: foot.rise, chainage: foot.chainage, time };
         state.answer.note(finding, parameters.threshold);
-        let last = places.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        let last = chainages.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         if let Some(element) = line.element(last) {
-            let rise = readings.read(&state.elements, element, readings.levels.len() - 1);
+            let rise = state.elements.read(element, readings, readings.levels.len() - 1);
             state.answer.note_from_train(Finding { rise, chainage: last, time });
         }
     }

@@ -1,14 +1,12 @@
 //! All constants of the model.
 
 use super::bending::Beam;
-use super::ephemeris::Ephemeris;
-use super::initial::Day;
-use super::shadow::Body;
-use super::weather::Exchange;
-use super::wheels::WheelHeat;
+use super::start::Day;
 use super::zones::Azimuth;
-use crate::material::Material;
+use crate::contact::{Material, WheelHeat};
+use crate::line::Line;
 use crate::section::Outline;
+use crate::weather::{Body, Ephemeris, Exchange};
 
 /// How the section is resolved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,60 +15,6 @@ pub enum Resolution {
     Column,
     /// Cells over depth and width.
     Plane,
-}
-
-/// How the rail is cut along the track.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
-    /// Chainage at which the first element begins, m.
-    pub begin: f64,
-    /// Length of an element, m.
-    pub element_length: f64,
-    /// Number of elements.
-    pub elements: usize,
-}
-
-impl Line {
-    /// Chainage at which the last element ends, m.
-    pub fn end(&self) -> f64 {
-        self.begin + self.elements as f64 * self.element_length
-    }
-
-    /// Chainage of the middle of an element, m.
-    pub fn chainage(&self, element: usize) -> f64 {
-        self.begin + (element as f64 + 0.5) * self.element_length
-    }
-
-    /// The element at a chainage, if it is modelled.
-    pub fn element(&self, chainage: f64) -> Option<usize> {
-        let place = (chainage - self.begin) / self.element_length;
-        (place >= 0.0 && place < self.elements as f64).then_some(place as usize)
-    }
-
-    /// The element at a chainage, or the one that is nearest to it.
-    pub fn nearest(&self, chainage: f64) -> usize {
-        let place = (chainage - self.begin) / self.element_length;
-        (place.max(0.0) as usize).min(self.elements - 1)
-    }
-
-    /// The elements that a way covers, with the share of it in each. A point is a way too.
-    pub fn shares(&self, from: f64, to: f64) -> impl Iterator<Item = (usize, f64)> {
-        let Self { begin, element_length, elements } = *self;
-        let (low, high) = if from <= to { (from, to) } else { (to, from) };
-        let place = |chainage: f64| (chainage - begin) / element_length;
-        let (low, high) = (place(low), place(high));
-        let way = high - low;
-        let first = low.max(0.0) as usize;
-        let last = (high.max(-1.0) + 1.0).min(elements as f64) as usize;
-        (first..last).filter_map(move |element| {
-            let (start, end) = (element as f64, element as f64 + 1.0);
-            if way > 0.0 {
-                let part = high.min(end) - low.max(start);
-                return (part > 0.0).then_some((element, part / way));
-            }
-            (low >= start && low < end).then_some((element, 1.0))
-        })
-    }
 }
 
 /// State of the rail at the start.

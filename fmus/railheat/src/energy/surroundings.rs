@@ -1,21 +1,21 @@
 //! What the train and a change of the weather do to the elements beyond what untouched rail feels.
 
-use super::model::Energy;
+use super::model::EnergyModel;
 use super::parameters::Parameters;
-use super::weather::Weather;
 use super::zones::Zone;
+use crate::contact::Wheel;
 use crate::section::{add, dot};
-use crate::wheels::Wheel;
+use crate::weather::Weather;
 
-impl Energy {
+impl EnergyModel {
     /// Counts the time for which elements lie under a vehicle or in its shadow.
     pub(super) fn cover(&mut self, weather: &Weather, time: f64) {
         let Parameters { train, line, .. } = &self.parameters;
         let shade = train.shade.filter(|_| weather.direct > 0.0);
         for vehicle in &self.vehicles {
             let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-            for place in self.places[vehicle.clone()].iter().flatten() {
-                (low, high) = (low.min(*place), high.max(*place));
+            for chainage in self.chainages[vehicle.clone()].iter().flatten() {
+                (low, high) = (low.min(*chainage), high.max(*chainage));
             }
             if low > high {
                 continue;

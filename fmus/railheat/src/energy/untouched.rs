@@ -14,9 +14,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::initial::Initial;
-use super::propagator::Propagator;
-use super::weather::{Exchange, Surface, Weather};
-use crate::section::{Modes, dot};
+use crate::section::{Modes, Propagator, dot};
+use crate::weather::{Exchange, Surface, Weather};
 
 /// Longest step with one source, s: the weather's part is of first order in it.
 const LONGEST: f64 = 10.0;

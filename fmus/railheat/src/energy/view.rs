@@ -2,15 +2,17 @@
 
 use super::answer::Answer;
 use super::ledger::{Ledger, Sources};
-use super::model::{Energy, State};
+use super::model::{EnergyModel, State};
 use super::parameters::Parameters;
 use super::untouched;
 use super::zones::Zone;
-use crate::rail::Highest;
+use crate::contact::Wheel;
+use crate::heat_model::HeatModel;
+use crate::line::{Highest, Line, Stray};
 use crate::section::{Modes, dot};
-use crate::wheels::Wheel;
+use crate::weather::Weather;
 
-impl Energy {
+impl EnergyModel {
     /// The model's constants.
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
@@ -31,24 +33,9 @@ impl Energy {
         self.readings.levels.len()
     }
 
-    /// The rise of an element over the initial state at a level, K.
-    pub fn rise(&self, element: usize, level: usize) -> f64 {
-        self.zone(element).rises[level] + self.excess(element, level)
-    }
-
     /// The rise of an element over untouched rail at a level, K.
     pub fn excess(&self, element: usize, level: usize) -> f64 {
-        self.readings.read(&self.state.elements, element, level)
-    }
-
-    /// The rise at the surface where no wheel has been, at the beginning of the track, K.
-    pub fn untouched_surface(&self) -> f64 {
-        self.zones[0].rises[0]
-    }
-
-    /// Temperature of the middle of the crown at the start, at the beginning of the track, K.
-    pub fn initial_temperature(&self) -> f64 {
-        self.zones[0].initial.crown(self.untouched.surface())
+        self.state.elements.read(element, &self.readings, level)
     }
 
     fn zone(&self, element: usize) -> &Zone {
@@ -57,16 +44,6 @@ impl Energy {
 
     fn untouched_state(&self, element: usize) -> &untouched::State {
         &self.state.untouched[usize::from(self.zone_of[element])]
-    }
-
-    /// The highest rise at each level when heat was conducted last.
-    pub fn highest(&self) -> &[Highest] {
-        &self.state.highest
-    }
-
-    /// The highest flash rise of any wheel in the last step, K.
-    pub fn highest_flash(&self) -> f64 {
-        self.state.highest_flash
     }
 
     /// Temperature of each wheel, K.
@@ -82,12 +59,6 @@ impl Energy {
     /// What cameras see of the foot.
     pub fn answer(&self) -> &Answer {
         &self.state.answer
-    }
-
-    /// Heat above the initial state per metre of rail at an element, J/m.
-    pub fn heat_per_metre(&self, element: usize) -> f64 {
-        dot(&self.modes.content, &self.untouched_state(element).amplitudes)
-            + self.state.elements.heat(element, &self.modes)
     }
 
     /// Heat by source per metre of rail at an element, J/m.
@@ -106,32 +77,6 @@ impl Energy {
         beam.thermoelastic(moment, temperature, material.heat_capacity())
     }
 
-    /// Depth of each row of a snapshot, m.
-    pub fn depths(&self) -> &[f64] {
-        &self.readings.depths
-    }
-
-    /// Writes the rises on the middle line into `values`, the depths of the first element first.
-    pub fn snapshot(&self, values: &mut [f32]) {
-        let Self { readings, state, .. } = self;
-        let levels = readings.levels.len();
-        let of_zone = |zone: &untouched::State| -> Vec<f64> {
-            readings.rows.iter().map(|row| dot(row, &zone.amplitudes)).collect()
-        };
-        let untouched: Vec<Vec<f64>> = state.untouched.iter().map(of_zone).collect();
-        let columns = values.chunks_exact_mut(readings.rows.len());
-        for ((element, column), zone) in columns.enumerate().zip(&self.zone_of) {
-            let untouched = &untouched[usize::from(*zone)];
-            if !state.elements.is_touched(element) {
-                column.iter_mut().zip(untouched).for_each(|(value, rise)| *value = *rise as f32);
-                continue;
-            }
-            for (row, (value, rise)) in column.iter_mut().zip(untouched).enumerate() {
-                *value = (rise + readings.read(&state.elements, element, levels + row)) as f32;
-            }
-        }
-    }
-
     /// Number of elements that something has touched; the others cost nothing.
     pub fn touched(&self) -> usize {
         let elements = &self.state.elements;
@@ -147,8 +92,83 @@ impl Energy {
     pub fn restore(&mut self, state: State) {
         self.state = state;
         for (element, surface) in self.surface.iter_mut().enumerate() {
-            *surface = self.readings.read(&self.state.elements, element, 0);
+            *surface = self.state.elements.read(element, &self.readings, 0);
         }
         self.read_untouched();
+    }
+}
+
+impl HeatModel for EnergyModel {
+    fn name(&self) -> &'static str {
+        "energy"
+    }
+
+    fn step(
+        &mut self,
+        wheels: &[Wheel],
+        weather: &Weather,
+        start: f64,
+        length: f64,
+    ) -> Option<Stray> {
+        self.advance(wheels, weather, start, length);
+        if self.state.stray_warned {
+            return None;
+        }
+        let stray = self.parameters.line.first_stray(wheels);
+        self.state.stray_warned = stray.is_some();
+        stray
+    }
+
+    fn line(&self) -> &Line {
+        &self.parameters.line
+    }
+
+    fn initial_temperature(&self) -> f64 {
+        self.zones[0].initial.crown(self.untouched.surface())
+    }
+
+    fn depths(&self) -> Vec<f64> {
+        self.readings.depths.clone()
+    }
+
+    fn snapshot(&self, values: &mut [f32]) {
+        let Self { readings, state, .. } = self;
+        let levels = readings.levels.len();
+        let of_zone = |zone: &untouched::State| -> Vec<f64> {
+            readings.rows.iter().map(|row| dot(row, &zone.amplitudes)).collect()
+        };
+        let untouched: Vec<Vec<f64>> = state.untouched.iter().map(of_zone).collect();
+        let columns = values.chunks_exact_mut(readings.rows.len());
+        for ((element, column), zone) in columns.enumerate().zip(&self.zone_of) {
+            let untouched = &untouched[usize::from(*zone)];
+            if !state.elements.is_touched(element) {
+                column.iter_mut().zip(untouched).for_each(|(value, rise)| *value = *rise as f32);
+                continue;
+            }
+            for (row, (value, rise)) in column.iter_mut().zip(untouched).enumerate() {
+                *value = (rise + state.elements.read(element, readings, levels + row)) as f32;
+            }
+        }
+    }
+
+    fn rise(&self, element: usize, level: usize) -> f64 {
+        self.zone(element).rises[level] + self.excess(element, level)
+    }
+
+    fn highest(&self) -> &[Highest] {
+        &self.state.highest
+    }
+
+    fn highest_flash(&self) -> f64 {
+        self.state.highest_flash
+    }
+
+    fn untouched_surface(&self) -> f64 {
+        self.zones[0].rises[0]
+    }
+
+    fn heat_per_metre(&self, element: usize) -> f64 {
+        dot(&self.modes.content, &self.untouched_state(element).amplitudes)
+            + self.state.elements.heat(element, &self.modes)
     }
 }

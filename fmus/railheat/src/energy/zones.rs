@@ -8,11 +8,13 @@ use std::f64::consts::TAU;
 
 use super::elements::Extra;
 use super::initial::Initial;
-use super::light::Light;
 use super::untouched::{self, Untouched};
 use crate::section::{Modes, dot};
+use crate::weather::Light;
 
-/// Directions are told apart to 5°: the sunlight on a surface is at most 0.044 times the irradiance off.
+/// Directions that differ by less than this share one state of untouched rail: 5°.
+///
+/// The sunlight on a surface is off by at most 0.044 times the irradiance.
 pub const SECTOR: f64 = TAU / 72.0;
 
 /// Azimuth of the running direction, from north over east, rad.
@@ -52,15 +54,15 @@ pub fn sectors(azimuth: &Azimuth, elements: usize) -> (Vec<Sector>, Vec<u8>) {
         let step = (turned.round() as i64).rem_euclid(72);
         // Nearest direction of the sector's own turn round the compass.
         let deviation = SECTOR * (turned - turned.round());
-        let place = steps.iter().position(|known| *known == step).unwrap_or_else(|| {
+        let index = steps.iter().position(|known| *known == step).unwrap_or_else(|| {
             steps.push(step);
             sectors.push(Sector { azimuth: 0.0, elements: 0, first: element });
             steps.len() - 1
         });
-        let sector = &mut sectors[place];
+        let sector = &mut sectors[index];
         sector.elements += 1;
         sector.azimuth += (deviation - sector.azimuth) / sector.elements as f64;
-        place as u8
+        index as u8
     });
     let of_element = of_element.collect();
     for (sector, step) in sectors.iter_mut().zip(&steps) {
@@ -93,8 +95,7 @@ impl Zone {
         self.crown = self.initial.crown(untouched.surface()) + self.rises[0];
     }
 
-    /// Heat in all elements of the zone above the initial state if no wheel had been there, J/m times
-    /// elements.
+    /// Heat of untouched rail above the initial state, summed over the zone's elements, J/m.
     pub fn stored(&self, state: &untouched::State, modes: &Modes) -> f64 {
         self.sector.elements as f64 * dot(&modes.content, &state.amplitudes)
     }

@@ -1,7 +1,6 @@
-//! The section cut into cells: a grid of rectangles, of which the outline cuts off what is not
-//! steel (finite volumes with cut cells).
+//! The section cut into cells (finite volumes with cut cells).
 //!
-//! A cell keeps the area of its steel; two neighbours are joined by what of their common side is
+//! The cells are a grid of rectangles, of which the outline cuts off what is not steel. A cell keeps the area of its steel; two neighbours are joined by what of their common side is
 //! steel over the distance of the rectangles' middles; the pieces of the outline in a cell are its
 //! surface. A column (one cell a row, as wide as the rail) is the same with one rectangle a row:
 //! area by depth. Slivers are merged into the neighbour that they share most with. That shifts their steel by up to a
@@ -16,11 +15,11 @@ use super::outline::{Outline, Point, sides};
 /// Cells with less than this share of steel are merged.
 const SMALLEST_SHARE: f64 = 0.001;
 
-/// Less steel than this share is rounding of places on the grid.
+/// Less steel than this share is rounding of positions on the grid.
 const LEAST_SHARE: f64 = 1e-9;
 
-/// Slack in comparing places, m.
-const SAME_PLACE: f64 = 1e-9;
+/// Slack in comparing positions, m.
+const SAME_POSITION: f64 = 1e-9;
 
 /// A cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,7 +71,7 @@ pub struct Cells {
     pub links: Vec<Link>,
     /// The surface.
     pub facets: Vec<Facet>,
-    /// For each cell the one at the same place on the other side of the middle; on the middle itself.
+    /// For each cell the one opposite, mirrored at the middle; on the middle the cell itself.
     pub mirror: Vec<usize>,
     /// Height of the rail, m.
     pub height: f64,
@@ -105,15 +104,15 @@ impl Cells {
                 let (y, z) = (left + column as f64 * width, row as f64 * step_z);
                 let rectangle = Rectangle { y: [y, y + width], z: [z, z + step_z] };
                 let part = Part::cut(outline, rectangle, row);
-                let place = row * columns + column;
-                let opposite = grid.mirror(place);
+                let index = row * columns + column;
+                let opposite = grid.mirror(index);
                 grid.parts[opposite] = part.mirrored();
-                grid.parts[place] = part;
+                grid.parts[index] = part;
             }
             // The right side of a rectangle is the left side of the one opposite.
             for column in columns / 2..columns - 1 {
-                let place = row * columns + column;
-                grid.parts[place].right = grid.parts[grid.mirror(place + 1)].right;
+                let index = row * columns + column;
+                grid.parts[index].right = grid.parts[grid.mirror(index + 1)].right;
             }
         }
         let owner = grid.merge();
@@ -145,10 +144,10 @@ impl Part {
         let middle = Point { y: 0.5 * (y[0] + y[1]), z: 0.5 * (z[0] + z[1]) };
         let mut part = Self { middle, row, ..Self::default() };
         let height = outline.height();
-        let lies = |a: f64, b: f64, at: f64| (a - at).abs() + (b - at).abs() < SAME_PLACE;
+        let lies = |a: f64, b: f64, at: f64| (a - at).abs() + (b - at).abs() < SAME_POSITION;
         for (a, b) in sides(&clip(outline.points(), &rectangle)) {
             part.area += (a.y * b.z - b.y * a.z) / 2.0;
-            if (b.y - a.y).hypot(b.z - a.z) < SAME_PLACE {
+            if (b.y - a.y).hypot(b.z - a.z) < SAME_POSITION {
                 continue;
             }
             let foot = lies(a.z, b.z, height);
@@ -181,9 +180,9 @@ impl Part {
 fn on_outline(outline: &Outline, a: Point, b: Point) -> bool {
     let (low, high) = (a.z.min(b.z), a.z.max(b.z));
     outline.sides().any(|(from, to)| {
-        let upright = (from.y - a.y).abs() < SAME_PLACE && (to.y - a.y).abs() < SAME_PLACE;
+        let upright = (from.y - a.y).abs() < SAME_POSITION && (to.y - a.y).abs() < SAME_POSITION;
         let (top, bottom) = (from.z.min(to.z), from.z.max(to.z));
-        upright && top < low + SAME_PLACE && bottom > high - SAME_PLACE
+        upright && top < low + SAME_POSITION && bottom > high - SAME_POSITION
     })
 }
 
@@ -199,21 +198,21 @@ impl Grid {
     /// Pairs of rectangles with their ratio of common side to distance.
     fn joints(&self) -> Vec<([usize; 2], f64)> {
         let mut joints = vec![];
-        for (place, part) in self.parts.iter().enumerate() {
-            if part.right > SAME_PLACE {
-                joints.push(([place, place + 1], part.right / self.width));
+        for (index, part) in self.parts.iter().enumerate() {
+            if part.right > SAME_POSITION {
+                joints.push(([index, index + 1], part.right / self.width));
             }
-            if part.below > SAME_PLACE {
-                joints.push(([place, place + self.columns], part.below / self.step_z));
+            if part.below > SAME_POSITION {
+                joints.push(([index, index + self.columns], part.below / self.step_z));
             }
         }
         joints
     }
 
     /// The rectangle opposite.
-    fn mirror(&self, place: usize) -> usize {
-        let column = place % self.columns;
-        place + self.columns - 1 - 2 * column
+    fn mirror(&self, index: usize) -> usize {
+        let column = index % self.columns;
+        index + self.columns - 1 - 2 * column
     }
 
     /// For each rectangle the one whose cell it belongs to.
@@ -221,27 +220,27 @@ impl Grid {
         let joints = self.joints();
         let smallest = SMALLEST_SHARE * self.width.min(self.step_z) * self.step_z;
         let mut owner: Vec<usize> = (0..self.parts.len()).collect();
-        for (place, part) in self.parts.iter().enumerate() {
-            let opposite = self.mirror(place);
-            if place > opposite || part.area <= 0.0 || part.area >= smallest {
+        for (index, part) in self.parts.iter().enumerate() {
+            let opposite = self.mirror(index);
+            if index > opposite || part.area <= 0.0 || part.area >= smallest {
                 continue;
             }
             // What lies on the middle stays there.
             let may_own = |other: usize| {
                 self.parts[other].area >= smallest
-                    && (place != opposite || self.mirror(other) == other)
+                    && (index != opposite || self.mirror(other) == other)
             };
             let neighbour = |(pair, ratio): &([usize; 2], f64)| {
                 let other = match *pair {
-                    [a, b] if a == place => b,
-                    [a, b] if b == place => a,
+                    [a, b] if a == index => b,
+                    [a, b] if b == index => a,
                     _ => return None,
                 };
                 may_own(other).then_some((other, *ratio))
             };
             let best = joints.iter().filter_map(neighbour).max_by(|a, b| a.1.total_cmp(&b.1));
             if let Some((other, _)) = best {
-                owner[place] = other;
+                owner[index] = other;
                 owner[opposite] = self.mirror(other);
             }
         }
@@ -251,17 +250,17 @@ impl Grid {
     fn assemble(self, owner: &[usize], height: f64, rows: usize) -> Cells {
         let mut number = vec![usize::MAX; self.parts.len()];
         let mut cells = vec![];
-        for (place, part) in self.parts.iter().enumerate() {
-            if owner[place] == place && part.area > 0.0 {
-                number[place] = cells.len();
+        for (index, part) in self.parts.iter().enumerate() {
+            if owner[index] == index && part.area > 0.0 {
+                number[index] = cells.len();
                 cells.push(Cell { middle: part.middle, area: 0.0, row: part.row });
             }
         }
-        let cell_of = |place: usize| number[owner[place]];
+        let cell_of = |index: usize| number[owner[index]];
         let mut facets = vec![];
-        for (place, part) in self.parts.iter().enumerate().filter(|(_, part)| part.area > 0.0) {
-            cells[cell_of(place)].area += part.area;
-            facets.extend(part.surface.iter().map(|ends| facet(cell_of(place), *ends)));
+        for (index, part) in self.parts.iter().enumerate().filter(|(_, part)| part.area > 0.0) {
+            cells[cell_of(index)].area += part.area;
+            facets.extend(part.surface.iter().map(|ends| facet(cell_of(index), *ends)));
         }
         let links = self
             .joints()
@@ -269,8 +268,8 @@ impl Grid {
             .map(|(pair, ratio)| Link { cells: pair.map(cell_of), ratio })
             .filter(|link| link.cells[0] != link.cells[1])
             .collect();
-        let own = (0..self.parts.len()).filter(|place| number[*place] != usize::MAX);
-        let mirror = own.map(|place| number[self.mirror(place)]).collect();
+        let own = (0..self.parts.len()).filter(|index| number[*index] != usize::MAX);
+        let mirror = own.map(|index| number[self.mirror(index)]).collect();
         Cells { cells, links, facets, mirror, height, rows }
     }
 }

@@ -25,7 +25,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use nalgebra::{DMatrix, DVectorView, SymmetricEigen};
 
 use super::cells::Cells;
-use crate::material::Material;
+use crate::contact::Material;
 
 /// Sums are formed in so many parts at a time, and mode arrays padded to a multiple of it.
 pub const LANES: usize = 8;
@@ -69,8 +69,10 @@ pub struct Modes {
 }
 
 impl Modes {
-    /// The modes of cells of a material, with the conductance to the surroundings of each facet in
-    /// W/(m²·K).
+    /// The modes of cells of a material.
+    ///
+    /// `surface` is the conductance of each facet to the surroundings in W/(m²·K), `size` that of
+    /// the cells in m.
     ///
     /// # Errors
     /// When there are fewer than two cells, or too many.
@@ -119,14 +121,16 @@ impl Modes {
         self.rates.len()
     }
 
-    /// Number of amplitudes of a section of which the middle line and sums are read: the even modes, with
-    /// some odd ones as padding.
+    /// Number of amplitudes of a section of which only the middle line and sums are read.
+    ///
+    /// These are the even modes, with some odd ones as padding.
     pub fn even_width(&self) -> usize {
         self.even.next_multiple_of(LANES)
     }
 
-    /// Number of amplitudes that hold all even modes slower than `fastest` in 1/s, with the next ones as
-    /// padding.
+    /// Number of amplitudes that hold all even modes slower than `fastest` in 1/s.
+    ///
+    /// The next ones are the padding.
     pub fn width_below(&self, fastest: f64) -> usize {
         let slower = self.rates[..self.even].partition_point(|rate| *rate < fastest);
         slower.max(1).next_multiple_of(LANES)
@@ -137,8 +141,10 @@ impl Modes {
         self.shapes.len() / self.width()
     }
 
-    /// The shapes at one cell: temperature by an amplitude of one, K, and amplitude by heat of
-    /// 1 J/m in the cell.
+    /// The shapes of all modes at one cell.
+    ///
+    /// They are the temperature by an amplitude of one, K, and the amplitude by heat of 1 J/m in
+    /// the cell.
     pub fn at(&self, cell: usize) -> &[f64] {
         &self.shapes[cell * self.width()..][..self.width()]
     }
@@ -159,7 +165,7 @@ const EVEN: f64 = 1.0;
 /// What is opposite on both sides of the middle.
 const ODD: f64 = -1.0;
 
-/// One mode before its place among the others is known.
+/// One mode before its number among the others is known.
 struct Mode {
     /// λ, 1/s.
     rate: f64,
@@ -256,8 +262,9 @@ pub fn add(sum: &mut [f64], factor: f64, values: &[f64]) {
     }
 }
 
-/// The product of two rows of amplitudes, summed in a fixed order in `LANES` parts, which the
-/// compiler makes vector instructions of.
+/// The product of two rows of amplitudes, summed in a fixed order.
+///
+/// The sum has `LANES` parts, which the compiler makes vector instructions of.
 #[inline]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; LANES];

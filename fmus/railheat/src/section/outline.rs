@@ -8,7 +8,7 @@ const CHORDS: usize = 8;
 /// A point of the section.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Point {
-    /// Place across the rail, to the right of its middle, m.
+    /// Lateral position, to the right of the rail's middle, m.
     pub y: f64,
     /// Depth below the crown, m.
     pub z: f64,
@@ -43,16 +43,17 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// The outline whose right half has these corners, from the crown to the middle of the foot;
-    /// the left half mirrors it. The place of the first corner whose radius does not fit between
-    /// its neighbours is the error.
+    /// The outline whose right half has these corners, from the crown to the middle of the foot.
+    ///
+    /// The left half mirrors it. The error is the index of the first corner whose radius does not
+    /// fit between its neighbours.
     pub(crate) fn from_right_half(corners: &[Corner]) -> Result<Self, usize> {
         let mut points = vec![];
-        for (place, corner) in corners.iter().enumerate() {
-            let inner = place > 0 && place + 1 < corners.len();
+        for (index, corner) in corners.iter().enumerate() {
+            let inner = index > 0 && index + 1 < corners.len();
             if inner && corner.radius > 0.0 {
-                let (before, after) = (corners[place - 1].point, corners[place + 1].point);
-                let arc = fillet(before, *corner, after).ok_or(place)?;
+                let (before, after) = (corners[index - 1].point, corners[index + 1].point);
+                let arc = fillet(before, *corner, after).ok_or(index)?;
                 points.extend(arc);
             } else {
                 points.push(corner.point);

@@ -22,14 +22,14 @@ fn wrong_places_and_days_are_named() {
         assert!(sentence.contains(wanted), "{sentence}");
     }
     for (header, row, day, wanted) in [
-        (railheat::weather_file::HEADER, "25,1,700,80,50,0", true, "of the 24 h before or after"),
+        (railheat::weather::HEADER, "25,1,700,80,50,0", true, "of the 24 h before or after"),
         (
             "time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2",
             "25,1,700,80",
             false,
             "site.date_time",
         ),
-        (railheat::weather_file::HEADER, "25,1,7000,80,50,0", false, "direct_W_m2 = 7000"),
+        (railheat::weather::HEADER, "25,1,7000,80,50,0", false, "direct_W_m2 = 7000"),
     ] {
         let mut bench = Bench::new();
         let file = bench.folder.path().join("day.csv");

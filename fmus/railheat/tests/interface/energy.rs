@@ -68,7 +68,7 @@ fn property_place_and_time_are_parameters() {
 fn the_weather_file_takes_the_place_of_the_inputs() {
     let mut bench = Bench::new();
     let path = bench.folder.path().join("day.csv");
-    let header = railheat::weather_file::HEADER;
+    let header = railheat::weather::HEADER;
     fs::write(&path, format!("{header}\n0,10,0,0,0,0,0\n100,30,0,0,0,0,0\n")).unwrap();
     bench.set_texts(&[("model", "energy"), ("weather_file", path.to_str().unwrap())]);
     bench.set("section.cell_size", 0.012);

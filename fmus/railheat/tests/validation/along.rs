@@ -1,18 +1,19 @@
 //! Conduction along the track.
 
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution};
-use railheat::energy::weather::Exchange;
-use railheat::wheels::Wheel;
+use railheat::HeatModel;
+use railheat::contact::Wheel;
+use railheat::energy::{EnergyModel, Parameters, Resolution};
+use railheat::line::Line;
+use railheat::weather::Exchange;
 
 use crate::energy_common::{INSULATED, NIGHT, outline, parameters, run, wheel};
 
 /// 4 m of rail in elements of 20 mm that conducts along the track.
-fn model(exchange: Exchange, interval: f64) -> Energy {
+fn model(exchange: Exchange, interval: f64) -> EnergyModel {
     let base = parameters(outline("60E1"), Resolution::Plane, 0.012);
     let line = Line { begin: 0.0, element_length: 0.02, elements: 200 };
     let parameters = Parameters { line, exchange, interval, conducts_along: true, ..base };
-    Energy::new(parameters, &[1], &NIGHT, 0.0).unwrap()
+    EnergyModel::new(parameters, &[1], &NIGHT, 0.0).unwrap()
 }
 
 /// A wheel that spins on one place.
@@ -21,7 +22,7 @@ fn spinning(power: f64) -> Vec<Wheel> {
 }
 
 /// Mean square distance of the heat from where it came in, m², and its sum, J.
-fn spread(model: &Energy) -> (f64, f64) {
+fn spread(model: &EnergyModel) -> (f64, f64) {
     let mut heat = 0.0;
     let mut moment = 0.0;
     for element in 0..200 {

@@ -3,13 +3,12 @@
 
 use std::f64::consts::PI;
 
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution, Start};
-use railheat::energy::sun::Sun;
-use railheat::energy::weather::{Exchange, Weather};
-use railheat::material::Material;
+use railheat::HeatModel;
+use railheat::contact::{Material, Wheel};
+use railheat::energy::{EnergyModel, Parameters, Resolution, Start};
+use railheat::line::Line;
 use railheat::section::{Outline, RailFile};
-use railheat::wheels::Wheel;
+use railheat::weather::{Exchange, Sun, Weather};
 
 use crate::common::SPEED;
 use crate::energy_common::{INSULATED, NIGHT, parameters, run, slab, wheel};
@@ -49,7 +48,7 @@ fn fine_slab(depths: &[f64]) -> Parameters {
 #[test]
 fn analytic_v2_half_space_under_constant_flux() {
     let depths = [0.005, 0.010, 0.020, 0.060];
-    let mut model = Energy::new(fine_slab(&depths), &[1], &sun(0.0), 0.0).unwrap();
+    let mut model = EnergyModel::new(fine_slab(&depths), &[1], &sun(0.0), 0.0).unwrap();
     let mut now = 0.0;
     for (time, table) in [
         (1.0, [9.4925737, 1.7984218, 0.15334115, 6.794e-5, 0.0]),
@@ -81,7 +80,7 @@ fn analytic_v12_line_source() {
     let base = parameters(block(0.110, 0.140), Resolution::Plane, 0.005);
     let depths = vec![0.0075, 0.0275];
     let mut model =
-        Energy::new(Parameters { depths, interval: 0.02, ..base }, &[1], &NIGHT, 0.0).unwrap();
+        EnergyModel::new(Parameters { depths, interval: 0.02, ..base }, &[1], &NIGHT, 0.0).unwrap();
     let table = |time: f64, r: f64| {
         let alpha = Material::PAPER.diffusivity();
         1000.0 / (2.0 * PI * 40.0 * time) * (-r * r / (4.0 * alpha * time)).exp()
@@ -120,7 +119,7 @@ fn analytic_v14_harmonic_flux() {
     let (period, steps) = (100.0, 200);
     let omega = 2.0 * PI / period;
     let depths = [0.010, 0.020, 0.060];
-    let mut model = Energy::new(fine_slab(&depths), &[1], &sun(0.0), 0.0).unwrap();
+    let mut model = EnergyModel::new(fine_slab(&depths), &[1], &sun(0.0), 0.0).unwrap();
     let step = period / f64::from(steps);
     let mut sums = [[0.0; 2]; 4];
     for number in 0..8 * steps {
@@ -161,7 +160,7 @@ fn analytic_v16_cooling_bar() {
             let start = Start::Uniform(NIGHT.ambient + 100.0);
             let depths = vec![0.060, 0.090];
             let parameters = Parameters { exchange, start, depths, ..base };
-            let mut model = Energy::new(parameters, &[1], &NIGHT, 0.0).unwrap();
+            let mut model = EnergyModel::new(parameters, &[1], &NIGHT, 0.0).unwrap();
             [(0.0, 60.0), (60.0, 300.0)].map(|(now, time)| {
                 model.step(&[], &NIGHT, now, time - now);
                 [(1, 0.060), (2, 0.090)].map(|(level, depth)| {
@@ -190,7 +189,7 @@ fn analytic_pulse_train() {
     let offsets = [7.2, 5.4, 3.6, -3.6, -5.4, -7.2];
     let place = |wheel: usize| 20.0 * (wheel / 6) as f64 - offsets[wheel % 6];
     let parameters = Parameters { interval: 0.25, ..fine_slab(&[0.060]) };
-    let mut model = Energy::new(parameters, &[36], &NIGHT, 0.0).unwrap();
+    let mut model = EnergyModel::new(parameters, &[36], &NIGHT, 0.0).unwrap();
     let at = |time: f64| -> Vec<Wheel> {
         (0..36).map(|index| wheel(-10.0 + SPEED * time - place(index))).collect()
     };
@@ -227,7 +226,7 @@ fn analytic_weather_equilibrium_of_the_energy_model() {
             let exchange = Exchange { filter, ..Exchange::TYPICAL };
             let parameters = Parameters { exchange, start: Start::Equilibrium, ..base };
             let weather = Weather { ambient: air + 273.15, ..sun(1366.0) };
-            let model = Energy::new(parameters, &[1], &weather, 0.0).unwrap();
+            let model = EnergyModel::new(parameters, &[1], &weather, 0.0).unwrap();
             let found = model.initial_temperature() - 273.15;
             println!("{air} °C, filter {filter}: {found:.3} °C, exact {wanted} °C");
             assert!((found - wanted).abs() < 0.03, "{air} °C: {found} against {wanted}");

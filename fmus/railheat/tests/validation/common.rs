@@ -1,19 +1,17 @@
 //! What several tests need.
 
-use railheat::creep_force::Contact;
-use railheat::flash_temperature::Friction;
-use railheat::material::Material;
-use railheat::paper::{Paper, Parameters};
-use railheat::rail::{Exchange, Grid};
-use railheat::surface::{Surface, Weather};
-use railheat::wheels::Wheel;
+use railheat::HeatModel;
+use railheat::contact::{Contact, Friction, Material, Wheel};
+use railheat::line::Line;
+use railheat::paper::{Grid, PaperModel, Parameters, RunningSurface, SurfaceStep};
+use railheat::weather::Weather;
 
 /// A surface that exchanges nothing.
-pub const ADIABATIC: Surface =
-    Surface { convection: 0.0, emissivity: 0.0, absorptivity: 0.0, filter: 0.0 };
+pub const ADIABATIC: RunningSurface =
+    RunningSurface { convection: 0.0, emissivity: 0.0, absorptivity: 0.0, filter: 0.0 };
 
 /// Air of 25 °C in the paper's sun.
-pub const SUNNY: Weather = Weather { ambient: 298.15, irradiance: 1366.0 };
+pub const SUNNY: Weather = Weather { direct: 1366.0, ..Weather::still(298.15) };
 
 /// 60 km/h.
 pub const SPEED: f64 = 16.67;
@@ -24,9 +22,7 @@ pub const CONTACT: Contact = Contact { normal_force: 109_500.0, a: 0.0063, b: 0.
 /// A rail of 172 mm, cut into cells of this size, with elements of 0.1 m.
 pub fn grid(cell_size: f64, elements: usize) -> Grid {
     Grid {
-        begin: 0.0,
-        element_length: 0.1,
-        elements,
+        line: Line { begin: 0.0, element_length: 0.1, elements },
         cell_size,
         cells: (0.172 / cell_size).round() as usize,
     }
@@ -34,8 +30,11 @@ pub fn grid(cell_size: f64, elements: usize) -> Grid {
 
 /// The paper's constants on 100 m of an AS 60 rail, starting in equilibrium with the weather.
 pub fn parameters() -> Parameters {
-    let grid =
-        Grid { begin: 0.0, element_length: 0.1, elements: 1000, cell_size: 0.005, cells: 34 };
+    let grid = Grid {
+        line: Line { begin: 0.0, element_length: 0.1, elements: 1000 },
+        cell_size: 0.005,
+        cells: 34,
+    };
     Parameters {
         grid,
         depths: vec![0.06],
@@ -43,8 +42,8 @@ pub fn parameters() -> Parameters {
         conduction_interval: 0.05,
         material: Material::PAPER,
         friction: Friction::PAPER,
-        surface: Surface::PAPER,
-        initial_temperature: Surface::PAPER.equilibrium(&SUNNY),
+        surface: RunningSurface::PAPER,
+        initial_temperature: RunningSurface::PAPER.equilibrium(&SUNNY),
     }
 }
 
@@ -54,7 +53,7 @@ pub fn wheel(position: f64) -> Wheel {
 }
 
 /// Runs wheels that stand at `at(0)` to `at(steps)` with a step of `length` in s.
-pub fn run(model: &mut Paper, at: impl Fn(f64) -> Vec<Wheel>, steps: u32, length: f64) {
+pub fn run(model: &mut PaperModel, at: impl Fn(f64) -> Vec<Wheel>, steps: u32, length: f64) {
     for step in 0..steps {
         let start = f64::from(step) * length;
         let wheels = at(start + length);
@@ -64,12 +63,12 @@ pub fn run(model: &mut Paper, at: impl Fn(f64) -> Vec<Wheel>, steps: u32, length
 
 /// What a weather does to cells of a size in one interval, with a rail that starts at 300 K.
 pub fn exchange<'w>(
-    surface: &'w Surface,
+    surface: &'w RunningSurface,
     weather: &'w Weather,
     interval: f64,
     cell_size: f64,
-) -> Exchange<'w> {
-    Exchange {
+) -> SurfaceStep<'w> {
+    SurfaceStep {
         surface,
         weather,
         initial: 300.0,

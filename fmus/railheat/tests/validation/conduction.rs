@@ -1,9 +1,8 @@
 //! Conduction over the depth.
 
-use railheat::column::fourier_number;
-use railheat::material::Material;
-use railheat::rail::{Level, Rail};
-use railheat::surface::{Surface, Weather};
+use railheat::contact::Material;
+use railheat::paper::{Level, Rail, RunningSurface, fourier_number};
+use railheat::weather::Weather;
 
 use crate::common::{ADIABATIC, exchange, grid};
 use crate::exact::{SLAB as LENGTH, impulse, slab_under_flux};
@@ -17,7 +16,7 @@ fn impulse_on_grid(cells: u32, time: f64) -> [f64; 3] {
     let steps = (time / interval).round() as u32;
     let interval = time / f64::from(steps);
     let number = fourier_number(&Material::PAPER, interval, cell_size).unwrap();
-    let calm = Weather { ambient: 300.0, irradiance: 0.0 };
+    let calm = Weather { direct: 0.0, ..Weather::still(300.0) };
     let mut rail = Rail::new(&grid);
     rail.heat_surface(0, LENGTH / cell_size);
     for _ in 0..steps {
@@ -61,8 +60,8 @@ fn analytic_slab_constant_flux() {
     let grid = grid(cell_size, 1);
     let capacity = Material::PAPER.heat_capacity();
     let number = fourier_number(&Material::PAPER, interval, cell_size).unwrap();
-    let sun = Surface { absorptivity: 1.0, filter: 1.0, ..ADIABATIC };
-    let weather = Weather { ambient: 300.0, irradiance: 1000.0 };
+    let sun = RunningSurface { absorptivity: 1.0, filter: 1.0, ..ADIABATIC };
+    let weather = Weather { direct: 1000.0, ..Weather::still(300.0) };
     let exchange = exchange(&sun, &weather, interval, cell_size);
     let in_surface_cell = 1000.0 * interval / (capacity * cell_size);
     let places = [(0, in_surface_cell), (30, 1e-4), (grid.cells - 1, 1e-4)];

@@ -3,13 +3,9 @@
 
 use std::f64::consts::PI;
 
-use railheat::creep_force::Contact;
-use railheat::energy::chill::conductance;
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Parameters, Resolution};
-use railheat::energy::wheels::WheelHeat;
-use railheat::material::Material;
-use railheat::wheels::Wheel;
+use railheat::contact::chill::conductance;
+use railheat::contact::{Contact, Material, Wheel, WheelHeat};
+use railheat::energy::{EnergyModel, Parameters, Resolution};
 
 use crate::common::SPEED;
 use crate::energy_common::{NIGHT, outline, parameters, run, wheel};
@@ -118,7 +114,7 @@ fn benchmark_chill_heat_per_metre() {
     let base = parameters(outline("AS60"), Resolution::Plane, 0.012);
     let wheel_heat = WheelHeat { contact_quality: 1.0, initial_rise: 20.0, ..base.wheel };
     let parameters = Parameters { wheel: wheel_heat, ..base };
-    let mut model = Energy::new(parameters, &[1], &NIGHT, 0.0).unwrap();
+    let mut model = EnergyModel::new(parameters, &[1], &NIGHT, 0.0).unwrap();
     let rolling = |t: f64| vec![Wheel { friction_power: 0.0, ..wheel(5.0 + SPEED * t) }];
     run(&mut model, &NIGHT, rolling, 0.0, 50, 0.01);
     let per_kelvin = model.sources_per_metre(80).chill / 20.0;

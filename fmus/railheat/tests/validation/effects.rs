@@ -1,13 +1,10 @@
 //! Single effects of `model = "energy"` against closed forms and published numbers.
 
-use railheat::energy::bending::Beam;
-use railheat::energy::chill::conductance;
-use railheat::energy::sun::Sun;
-use railheat::energy::weather::{Exchange, Surface};
-use railheat::energy::wheels::{MEAN_OVER_PEAK, WheelHeat};
-use railheat::material::Material;
+use railheat::contact::chill::conductance;
+use railheat::contact::{MEAN_OVER_PEAK, Material, Wheel, WheelHeat};
+use railheat::energy::Beam;
 use railheat::section::Cells;
-use railheat::wheels::Wheel;
+use railheat::weather::{Exchange, Sun, Surface};
 
 use crate::energy_common::{INSULATED, outline, parameters, slab};
 
@@ -36,11 +33,11 @@ fn benchmark_chill_conductance() {
 /// 0.6765 of the same unit. Five digits are given.
 #[test]
 fn analytic_flash_of_the_ertz_knothe_case() {
-    let heat = parameters(slab(), railheat::energy::parameters::Resolution::Column, 0.02).wheel;
+    let heat = parameters(slab(), railheat::energy::Resolution::Column, 0.02).wheel;
     let wheel = Wheel {
         speed: 30.0,
         friction_power: 30e3,
-        contact: railheat::creep_force::Contact { normal_force: 1e5, a: 0.00588, b: 0.01054 },
+        contact: railheat::contact::Contact { normal_force: 1e5, a: 0.00588, b: 0.01054 },
         ..Wheel::default()
     };
     let steel = Material { conductivity: 50.0, ..Material::PAPER };

@@ -1,10 +1,10 @@
 //! `model = "energy"` as a whole: heat is conserved, and reaches the foot when it should.
 
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution, Start};
-use railheat::energy::weather::{Exchange, Weather};
-use railheat::energy::wheels::WheelHeat;
-use railheat::wheels::Wheel;
+use railheat::HeatModel;
+use railheat::contact::{Wheel, WheelHeat};
+use railheat::energy::{EnergyModel, Parameters, Resolution, Start};
+use railheat::line::Line;
+use railheat::weather::{Exchange, Weather};
 
 use crate::common::SPEED;
 use crate::energy_common::{
@@ -132,7 +132,7 @@ fn benchmark_section_train() {
         let standing = |_| vec![Wheel { speed: 0.0, friction_power: 1000.0, ..wheel(8.05) }];
         run(&mut model, &NIGHT, standing, 0.0, 156, 1.0);
         let mixture = 500.0 * 156.0 / 0.1 / (7850.0 * 450.0 * 7.748e-3);
-        let foot = |model: &Energy| model.excess(80, 2) / mixture;
+        let foot = |model: &EnergyModel| model.excess(80, 2) / mixture;
         let mut found = vec![foot(&model)];
         for (from, steps) in [(156.0, 44), (200.0, 400)] {
             run(&mut model, &NIGHT, |_| vec![Wheel::default()], from, steps, 1.0);

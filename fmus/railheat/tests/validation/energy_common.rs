@@ -1,14 +1,11 @@
 //! What the tests of `model = "energy"` need.
 
-use railheat::creep_force::Contact;
-use railheat::energy::bending::Beam;
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Line, Parameters, Resolution, Start, TrainWeather};
-use railheat::energy::sun::Sun;
-use railheat::energy::weather::{Exchange, Weather};
-use railheat::energy::wheels::WheelHeat;
+use railheat::HeatModel;
+use railheat::contact::{Contact, Wheel, WheelHeat};
+use railheat::energy::{Beam, EnergyModel, Parameters, Resolution, Start, TrainWeather};
+use railheat::line::Line;
 use railheat::section::{Outline, RailFile};
-use railheat::wheels::Wheel;
+use railheat::weather::{Exchange, Sun, Weather};
 
 use crate::common::SPEED;
 
@@ -95,13 +92,13 @@ pub fn wheel(position: f64) -> Wheel {
 }
 
 /// The model from the time zero on.
-pub fn energy(parameters: Parameters, wheelsets: &[usize], weather: &Weather) -> Energy {
-    Energy::new(parameters, wheelsets, weather, 0.0).unwrap()
+pub fn energy(parameters: Parameters, wheelsets: &[usize], weather: &Weather) -> EnergyModel {
+    EnergyModel::new(parameters, wheelsets, weather, 0.0).unwrap()
 }
 
 /// Runs one vehicle whose wheels are `at` the end of each step.
 pub fn run(
-    model: &mut Energy,
+    model: &mut EnergyModel,
     weather: &Weather,
     at: impl Fn(f64) -> Vec<Wheel>,
     from: f64,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use railheat::material::Material;
+use railheat::contact::Material;
 
 /// Height of the reference's slab, m.
 pub const SLAB: f64 = 0.172;

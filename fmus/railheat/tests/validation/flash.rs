@@ -1,8 +1,8 @@
 //! Flash temperature and creep force.
 
-use railheat::creep_force::{Contact, creep_force, kalker_c11};
-use railheat::flash_temperature::{Friction, HERTZ_PEAK, flash_rise};
-use railheat::material::Material;
+use railheat::contact::{
+    Contact, Friction, HERTZ_PEAK, Material, creep_force, flash_rise, kalker_c11,
+};
 
 use crate::common::{CONTACT, SPEED};
 

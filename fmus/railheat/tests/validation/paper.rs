@@ -1,16 +1,15 @@
 //! The paper's model as a whole: its rules, its known defects, and what must hold in spite of them.
 
-use railheat::flash_temperature::flash_rise;
-use railheat::material::Material;
-use railheat::paper::{Paper, Parameters, State};
-use railheat::rail::{Grid, Level};
-use railheat::surface::{Surface, Weather};
-use railheat::wheels::{Wheel, passed};
+use railheat::HeatModel;
+use railheat::contact::{Material, Wheel, flash_rise};
+use railheat::line::Line;
+use railheat::paper::{Grid, Level, PaperModel, Parameters, RunningSurface, State};
+use railheat::weather::Weather;
 
 use crate::common::{ADIABATIC, CONTACT, SPEED, SUNNY, parameters, run, wheel};
 
-fn model(parameters: Parameters, wheels: usize) -> Paper {
-    Paper::new(parameters, wheels, 0.0).unwrap()
+fn model(parameters: Parameters, wheels: usize) -> PaperModel {
+    PaperModel::new(parameters, wheels, 0.0).unwrap()
 }
 
 /// Three wheels of different strength that start ahead of the track's beginning.
@@ -20,9 +19,9 @@ fn three_wheels(time: f64) -> Vec<Wheel> {
         .to_vec()
 }
 
-fn field(model: &Paper) -> Vec<f32> {
+fn field(model: &PaperModel) -> Vec<f32> {
     let grid = model.parameters().grid;
-    let mut values = vec![0.0; grid.elements * grid.cells];
+    let mut values = vec![0.0; grid.line.elements * grid.cells];
     model.rail().snapshot(&grid, &mut values);
     values
 }
@@ -38,7 +37,7 @@ fn property_a_wheel_that_comes_again_heats_only_where_it_passes() {
     model.step(&[wheel(20.0)], &SUNNY, 1.1, 0.001);
     let grid = model.parameters().grid;
     let warm =
-        |chainage: f64| model.heat_per_metre((chainage / grid.element_length) as usize) > 0.0;
+        |chainage: f64| model.heat_per_metre((chainage / grid.line.element_length) as usize) > 0.0;
     assert!(warm(81.0) && warm(19.99) && !warm(10.0) && !warm(50.0));
 }
 
@@ -50,13 +49,13 @@ fn property_only_a_hotter_wheel_heats() {
     let strong = wheel(50.05);
     let weak = Wheel { creepage: 0.001, ..strong };
     model.step(&[strong], &SUNNY, 0.0, 0.001);
-    let (after_strong, heat) = (model.highest()[0].rise, model.energy().imposed);
+    let (after_strong, heat) = (model.highest()[0].rise, model.audit().imposed);
     assert!(after_strong > 1.0);
     assert_eq!(after_strong, model.highest_flash());
     model.step(&[weak], &SUNNY, 0.001, 0.001);
     assert!(model.highest_flash() < 0.5 * after_strong);
     assert_eq!(model.highest()[0].rise, after_strong);
-    assert_eq!(model.energy().imposed, heat, "a colder wheel adds nothing");
+    assert_eq!(model.audit().imposed, heat, "a colder wheel adds nothing");
 }
 
 /// Reference §7.7: setting a cell's temperature instead of adding the heat that flowed in puts in
@@ -71,12 +70,12 @@ fn benchmark_the_papers_model_puts_in_too_much_heat() {
         let conduction_interval = 0.02;
         let parameters =
             Parameters { grid, conduction_interval, surface: ADIABATIC, ..parameters() };
-        let band = parameters.width * grid.element_length;
+        let band = parameters.width * grid.line.element_length;
         let mut model = model(parameters, 1);
         // Before the first conduction step: what the imposed temperature itself holds.
         model.step(&[wheel(50.05)], &SUNNY, 0.0, 0.001);
         let rise = model.highest_flash();
-        let imposed = model.energy().imposed / band / rise;
+        let imposed = model.audit().imposed / band / rise;
         // On the middle line of the contact 1.5 times the mean over its width.
         let per_kelvin = 0.5 / flash_rise(&CONTACT, 1.0, 1.0, SPEED, 0.5, &Material::PAPER);
         let right = 1.5 * per_kelvin / (2.0 * CONTACT.b);
@@ -93,7 +92,7 @@ fn property_the_field_does_not_depend_on_the_exchange_step() {
     let result = |length: f64, steps: u32| {
         let mut model = model(parameters(), 3);
         run(&mut model, three_wheels, steps, length);
-        (field(&model), model.energy())
+        (field(&model), model.audit())
     };
     let (reference, energy) = result(0.001, 2000);
     assert!(energy.imposed > 0.0);
@@ -111,7 +110,7 @@ fn property_a_wheel_heats_every_element_it_passes() {
     let mut model = model(parameters(), 1);
     run(&mut model, |time| vec![wheel(10.003 + SPEED * time)], 10, 0.2);
     let grid = model.parameters().grid;
-    let heated = (0..grid.elements).filter(|&e| model.heat_per_metre(e) > 1.0);
+    let heated = (0..grid.line.elements).filter(|&e| model.heat_per_metre(e) > 1.0);
     let (from, to) = (10.003, 10.003 + 2.0 * SPEED);
     let wanted = (from / 0.1) as usize..=(to / 0.1) as usize;
     assert!(heated.eq(wanted));
@@ -120,19 +119,19 @@ fn property_a_wheel_heats_every_element_it_passes() {
 /// What is stored is what came in, to rounding: some 1e5 additions of 1e-16 relative each.
 #[test]
 fn property_energy_is_accounted_for() {
-    let cool = Weather { ambient: 288.15, irradiance: 200.0 };
+    let cool = Weather { direct: 200.0, ..Weather::still(288.15) };
     let mut model = model(parameters(), 3);
     for step in 0..10_000 {
         let start = f64::from(step) * 0.001;
         model.step(&three_wheels(start), &cool, start, 0.001);
     }
-    let energy = model.energy();
-    println!("{energy:?}, error {:e} J", energy.error());
-    assert!(energy.imposed > 1000.0 && energy.weather < -1000.0);
-    assert!(energy.error().abs() < 1e-10 * energy.imposed, "{}", energy.error());
-    let elements = model.parameters().grid.elements;
+    let audit = model.audit();
+    println!("{audit:?}, error {:e} J", audit.error());
+    assert!(audit.imposed > 1000.0 && audit.weather < -1000.0);
+    assert!(audit.error().abs() < 1e-10 * audit.imposed, "{}", audit.error());
+    let elements = model.parameters().grid.line.elements;
     let sum: f64 = (0..elements).map(|element| 0.1 * model.heat_per_metre(element)).sum();
-    assert!((sum / energy.stored - 1.0).abs() < 1e-10, "the cells hold what is stated");
+    assert!((sum / audit.stored - 1.0).abs() < 1e-10, "the cells hold what is stated");
 }
 
 /// Untouched rail in equilibrium stays as it is: rounding of the equilibrium temperature alone.
@@ -156,7 +155,7 @@ fn property_the_flash_adds_to_the_temperature_of_untouched_rail() {
     let untouched = model.rail().untouched_surface();
     assert!(untouched > 0.3);
     model.step(&[wheel(50.05)], &SUNNY, 100.0, 0.001);
-    let element = *passed(&model.parameters().grid, 50.05, 50.05).unwrap().start();
+    let element = *model.parameters().grid.line.passed(50.05, 50.05).unwrap().start();
     let found = model.rail().rise(element, &Level::SURFACE);
     assert_eq!(found, untouched + model.highest_flash());
 }
@@ -167,7 +166,7 @@ fn property_a_restored_state_goes_on_bit_for_bit() {
     let mut model = model(parameters(), 3);
     run(&mut model, three_wheels, 777, 0.001);
     let bytes = postcard::to_allocvec(model.state()).unwrap();
-    let go_on = |model: &mut Paper| {
+    let go_on = |model: &mut PaperModel| {
         for step in 777..1500 {
             let start = f64::from(step) * 0.001;
             model.step(&three_wheels(start + 0.001), &SUNNY, start, 0.001);
@@ -186,7 +185,10 @@ fn property_a_restored_state_goes_on_bit_for_bit() {
 /// when an interval ends are set again.) Cells of 5 mm have a time constant Δx²/α of 2.2 s.
 #[test]
 fn property_the_default_conduction_interval_is_short_enough() {
-    let grid = Grid { begin: 20.0, elements: 100, ..parameters().grid };
+    let grid = Grid {
+        line: Line { begin: 20.0, elements: 100, ..parameters().grid.line },
+        ..parameters().grid
+    };
     let levels = [0.0, 0.02, 0.06].map(|depth| Level::at_depth(&grid, depth));
     let rises = |conduction_interval: f64| {
         let parameters = Parameters { grid, conduction_interval, ..parameters() };
@@ -216,28 +218,16 @@ fn property_a_stray_wheel_is_told_of_once() {
     assert!((model.highest()[0].chainage - 50.05).abs() < 1e-9);
 }
 
-/// Where the wheel was before the track's ends and after them counts for nothing.
-#[test]
-fn analytic_elements_passed() {
-    let grid = parameters().grid;
-    assert_eq!(passed(&grid, 0.25, 0.449), Some(2..=4));
-    assert_eq!(passed(&grid, 0.449, 0.25), Some(2..=4), "backwards");
-    assert_eq!(passed(&grid, -5.0, 0.05), Some(0..=0));
-    assert_eq!(passed(&grid, 99.95, 200.0), Some(999..=999));
-    assert_eq!(passed(&grid, -5.0, -1.0), None);
-    assert_eq!(passed(&grid, 100.0, 101.0), None);
-}
-
 /// Highest rises and probes read the same field.
 #[test]
 fn property_the_highest_rise_is_the_highest_of_the_field() {
-    let mut model = model(Parameters { surface: Surface::PAPER, ..parameters() }, 3);
+    let mut model = model(Parameters { surface: RunningSurface::PAPER, ..parameters() }, 3);
     run(&mut model, three_wheels, 2000, 0.001);
     let grid = model.parameters().grid;
-    for (level, highest) in model.levels().iter().zip(model.highest()) {
-        let rises = (0..grid.elements).map(|element| model.rail().rise(element, level));
+    for (level, highest) in model.highest().iter().enumerate() {
+        let rises = (0..grid.line.elements).map(|element| model.rise(element, level));
         assert_eq!(rises.fold(f64::NEG_INFINITY, f64::max), highest.rise);
-        let element = *passed(&grid, highest.chainage, highest.chainage).unwrap().start();
-        assert_eq!(model.rail().rise(element, level), highest.rise);
+        let element = *grid.line.passed(highest.chainage, highest.chainage).unwrap().start();
+        assert_eq!(model.rise(element, level), highest.rise);
     }
 }

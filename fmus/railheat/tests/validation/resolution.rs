@@ -1,8 +1,10 @@
 //! How exact `model = "energy"` is: rounding, cells, intervals and modes.
 
-use railheat::energy::parameters::{Line, Parameters, Resolution};
-use railheat::energy::weather::Exchange;
-use railheat::wheels::Wheel;
+use railheat::HeatModel;
+use railheat::contact::Wheel;
+use railheat::energy::{Parameters, Resolution};
+use railheat::line::Line;
+use railheat::weather::Exchange;
 
 use crate::energy_common::{
     DAY, INSULATED, NIGHT, all_effects, energy, outline, parameters, run, slab, wheel,

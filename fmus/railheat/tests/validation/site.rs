@@ -2,23 +2,20 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use railheat::energy::ephemeris::Ephemeris;
-use railheat::energy::initial::Day;
-use railheat::energy::model::Energy;
-use railheat::energy::parameters::{Parameters, Resolution, Start, TrainWeather};
-use railheat::energy::shadow::Body;
-use railheat::energy::sun::Sun;
-use railheat::energy::weather::{Exchange, Weather};
-use railheat::energy::zones::{Azimuth, SECTOR, sectors};
-use railheat::wheels::Wheel;
+use railheat::HeatModel;
+use railheat::contact::Wheel;
+use railheat::energy::{
+    Azimuth, Day, EnergyModel, Parameters, Resolution, SECTOR, Start, TrainWeather, sectors,
+};
+use railheat::weather::{Body, Ephemeris, Exchange, Sun, Weather};
 
 use crate::energy_common::{INSULATED, NIGHT, outline, parameters, run, wheel};
 
 const MORNING: Weather =
     Weather { direct: 800.0, sun: Sun { elevation: 0.5, azimuth: FRAC_PI_2 }, ..NIGHT };
 
-fn energy(parameters: Parameters, weather: &Weather) -> Energy {
-    Energy::new(parameters, &[1], weather, 0.0).unwrap()
+fn energy(parameters: Parameters, weather: &Weather) -> EnergyModel {
+    EnergyModel::new(parameters, &[1], weather, 0.0).unwrap()
 }
 
 /// Reda and Andreas, *Solar Energy* 76 (2004) 577, table A5.1: Golden, 17 October 2003, 12:30:30 at -7 h: elevation
@@ -135,7 +132,7 @@ fn analytic_shade_takes_the_direct_sun() {
     let of = |elevation: f64| {
         let weather = Weather { sun: Sun { elevation, azimuth: 0.7 }, ..MORNING };
         let parameters = Parameters { exchange, train, ..base.clone() };
-        let mut model = Energy::new(parameters, &[1, 1], &weather, 0.0).unwrap();
+        let mut model = EnergyModel::new(parameters, &[1, 1], &weather, 0.0).unwrap();
         let at = |place: f64| Wheel { speed: 0.0, friction_power: 0.0, ..wheel(place) };
         let standing = |_| vec![at(10.0), at(11.0)];
         run(&mut model, &weather, standing, 0.0, 60, 1.0);
@@ -165,7 +162,7 @@ fn analytic_a_day_that_comes_again() {
         let weather = (0..1440).map(|i| air(start - 86_400.0 + 60.0 * (f64::from(i) + 0.5)));
         let day = Day { weather: weather.collect(), step: 60.0 };
         let parameters = Parameters { exchange, start: Start::Day(day), ..base.clone() };
-        let mut model = Energy::new(parameters, &[1], &air(start), start).unwrap();
+        let mut model = EnergyModel::new(parameters, &[1], &air(start), start).unwrap();
         let wanted = 10.0 * (omega * start - lag.atan()).cos() / (1.0 + lag * lag).sqrt();
         let found = model.initial_temperature() - 290.0;
         println!("{hour} h: {found:.4} K, lumped {wanted:.4} K");
@@ -203,6 +200,6 @@ fn a_rail_that_never_settles_is_named() {
     let exchange = Exchange { absorptivity: 0.5, filter: 1.0, ..INSULATED };
     let day = Day { weather: vec![MORNING; 24], step: 3600.0 };
     let parameters = Parameters { exchange, start: Start::Day(day), ..base };
-    let sentence = Energy::new(parameters, &[1], &MORNING, 0.0).err().unwrap().to_string();
+    let sentence = EnergyModel::new(parameters, &[1], &MORNING, 0.0).err().unwrap().to_string();
     assert!(sentence.contains("initial.day") && sentence.contains("exchange heat"), "{sentence}");
 }

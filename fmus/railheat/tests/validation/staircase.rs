@@ -2,7 +2,7 @@
 //! wholly air, stepped explicitly. It is what the reference's own finite volumes are like (§4.2), and says
 //! where its numbers come from.
 
-use railheat::material::Material;
+use railheat::contact::Material;
 use railheat::section::{Cells, Modes, Outline};
 
 use crate::energy_common::outline;
@@ -93,7 +93,7 @@ fn of_modes(outline: &Outline, size: f64, depths: [f64; 3], time: f64) -> [f64; 
     let length: f64 = band.iter().map(|facet| facet.length).sum();
     let heat = modes.weighted(band.iter().map(|facet| (facet.cell, facet.length / length)));
     let mixture = 1.0 / (Material::PAPER.heat_capacity() * cells.area());
-    let readings = railheat::energy::readings::Readings::new(&cells, &modes, &depths);
+    let readings = railheat::section::Readings::new(&cells, &modes, &depths);
     [1, 2, 3].map(|level| {
         let shape = &readings.levels[level];
         let of_mode = |k: usize| shape[k] * heat[k] * (-modes.rates[k] * time).exp();

@@ -1,7 +1,7 @@
 //! Exchange with the weather.
 
-use railheat::rail::{Level, Rail};
-use railheat::surface::{Surface, Weather};
+use railheat::paper::{Level, Rail, RunningSurface};
+use railheat::weather::Weather;
 
 use crate::common::{exchange, grid};
 
@@ -17,10 +17,10 @@ fn analytic_weather_equilibrium() {
         (40.0, 81.458, 116.13),
         (50.0, 89.743, 123.17),
     ] {
-        let weather = Weather { ambient: air + ZERO_CELSIUS, irradiance: 1366.0 };
-        let found = Surface::PAPER.equilibrium(&weather) - ZERO_CELSIUS;
+        let weather = Weather { direct: 1366.0, ..Weather::still(air + ZERO_CELSIUS) };
+        let found = RunningSurface::PAPER.equilibrium(&weather) - ZERO_CELSIUS;
         assert!((found - filtered).abs() < 6e-4, "{air} °C: {found} °C");
-        let clear = Surface { filter: 1.0, ..Surface::PAPER };
+        let clear = RunningSurface { filter: 1.0, ..RunningSurface::PAPER };
         let found = clear.equilibrium(&weather) - ZERO_CELSIUS;
         assert!((found - unfiltered).abs() < 6e-3, "{air} °C: {found} °C");
     }
@@ -28,8 +28,8 @@ fn analytic_weather_equilibrium() {
 
 #[test]
 fn property_without_exchange_the_air_gives_the_temperature() {
-    let insulated = Surface { convection: 0.0, emissivity: 0.0, ..Surface::PAPER };
-    let weather = Weather { ambient: 290.0, irradiance: 0.0 };
+    let insulated = RunningSurface { convection: 0.0, emissivity: 0.0, ..RunningSurface::PAPER };
+    let weather = Weather { direct: 0.0, ..Weather::still(290.0) };
     assert_eq!(insulated.equilibrium(&weather), 290.0);
 }
 
@@ -40,16 +40,16 @@ fn property_without_exchange_the_air_gives_the_temperature() {
 fn property_the_rail_tends_to_the_equilibrium() {
     let (cell_size, interval) = (0.0215, 2.0);
     let grid = grid(cell_size, 1);
-    let weather = Weather { ambient: 300.0, irradiance: 1366.0 };
-    let exchange = exchange(&Surface::PAPER, &weather, interval, cell_size);
+    let weather = Weather { direct: 1366.0, ..Weather::still(300.0) };
+    let exchange = exchange(&RunningSurface::PAPER, &weather, interval, cell_size);
     let number =
-        railheat::column::fourier_number(&railheat::material::Material::PAPER, interval, cell_size)
+        railheat::paper::fourier_number(&railheat::contact::Material::PAPER, interval, cell_size)
             .unwrap();
     let mut rail = Rail::new(&grid);
     for _ in 0..225_000 {
         rail.step(&grid, &exchange, number, &[], &mut []);
     }
-    let wanted = Surface::PAPER.equilibrium(&weather) - 300.0;
+    let wanted = RunningSurface::PAPER.equilibrium(&weather) - 300.0;
     for level in [Level::SURFACE, Level::foot(&grid)] {
         assert!((rail.rise(0, &level) - wanted).abs() < 5e-3);
     }
