@@ -2,9 +2,11 @@
 //!
 //! | file | part |
 //! |---|---|
+//! | `constants.rs` | gravity, radiation and units |
 //! | `table.rs` | piecewise linear tables with a cached index |
 //! | `piecewise.rs` | straight lines or cubic splines between points, and steps |
 
+pub mod constants;
 mod piecewise;
 mod table;
 

@@ -61,7 +61,7 @@ impl Piecewise {
         Ok(Self { x, pieces })
     }
 
-    /// The value at `x`; `index` is any number at first and the place of the last lookup later.
+    /// The value at `x`; `index` is any number at first and that of the last lookup later.
     pub fn value(&self, x: f64, index: &mut usize) -> f64 {
         self.expansion(x, index)[0]
     }
@@ -87,8 +87,9 @@ impl Piecewise {
     }
 }
 
-/// Coefficients of the piece of a length, from one value to the next, with the slopes at its ends
-/// for a cubic one.
+/// Coefficients of the piece of a length, from one value to the next.
+///
+/// A cubic one has the slopes at its ends.
 fn piece(length: f64, from: f64, to: f64, slopes: Option<(f64, f64)>) -> [f64; 4] {
     let chord = (to - from) / length;
     match slopes {
@@ -112,7 +113,7 @@ fn spline_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
     let chord = |i: usize| (y[i + 1] - y[i]) / length(i);
     let mut slopes = vec![chord(0); x.len()];
     slopes[last] = chord(last - 1);
-    // slope[i] = slopes[i] - share[i] slope[i + 1] after the way down.
+    // After the elimination slope[i] = slopes[i] - share[i] slope[i + 1].
     let mut share = vec![0.0; x.len()];
     for i in 1..last {
         let (before, after) = (1.0 / length(i - 1), 1.0 / length(i));

@@ -59,7 +59,7 @@ impl LinearTable {
         Ok(Self { x, y })
     }
 
-    /// The value at `x`; `index` is any number at first and the place of the last lookup later.
+    /// The value at `x`; `index` is any number at first and that of the last lookup later.
     #[inline]
     pub fn value(&self, x: f64, index: &mut usize) -> f64 {
         let last = self.x.len() - 1;

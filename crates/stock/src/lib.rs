@@ -9,7 +9,7 @@
 //! |---|---|
 //! | `library.rs` | the folder of files; a vehicle that extends another |
 //! | `vehicle.rs` | the vehicle file |
-//! | `resistance.rs`, `curve_resistance.rs` | its section on propulsion and curve resistance, with the formulas |
+//! | `resistance.rs`, `curve_resistance.rs` | its section on propulsion and curve resistance |
 //! | `propulsion.rs` | its sections on traction and dynamic brake |
 //! | `brake.rs` | its sections on friction brakes |
 //! | `multibody/` | its section for the three-dimensional model |
@@ -43,5 +43,5 @@ pub use multibody::{
 pub use propulsion::{
     Between, DynamicBrake, EffortByNotch, EffortBySpeed, NOTCHES, Traction, ValueBySpeed,
 };
-pub use resistance::{DavisCoefficients, Resistance, ResistanceFormula};
+pub use resistance::{Resistance, ResistanceFormula};
 pub use vehicle::{Coupler, RearCoupler, Vehicle};

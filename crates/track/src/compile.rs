@@ -104,3 +104,113 @@ impl Content {
         (chainages, values)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn track(text: &str) -> Track {
+        Track::from_toml(text, "track.toml").unwrap()
+    }
+
+    fn at(track: &Track, chainage: f64) -> TrackPoint {
+        track.at(chainage, &mut 0)
+    }
+
+    fn assert_close(found: f64, expected: f64, tolerance: f64) {
+        assert!((found - expected).abs() <= tolerance, "{found}, expected {expected}");
+    }
+
+    /// A right-hand curve of 500 m and a left-hand one of 750 m, with cant and transitions.
+    const S_CURVE: &str = "alignment = [
+        { length_m = 80, transition = true },
+        { length_m = 200, radius_m = 500, cant_mm = 90 },
+        { length_m = 120, transition = true },
+        { length_m = 300, radius_m = -750, cant_mm = -60 }]";
+
+    /// The clothoid: curvature s/(R l), heading s²/(2 R l), offset from the tangent s³/(6 R l).
+    /// Rounding.
+    #[test]
+    fn analytic_clothoid_from_the_straight() {
+        let track = track(S_CURVE);
+        for s in [0.0, 10.0, 40.0, 80.0] {
+            let (point, radius_length) = (at(&track, s), 500.0 * 80.0);
+            assert_close(point.curvature, s / radius_length, 1e-17);
+            assert_close(
+                point.curvature_slope,
+                if s < 80.0 { 1.0 / radius_length } else { 0.0 },
+                1e-18,
+            );
+            assert_close(point.heading, s * s / (2.0 * radius_length), 1e-15);
+            assert_close(point.heading_integral, s.powi(3) / (6.0 * radius_length), 1e-13);
+        }
+    }
+
+    /// A clothoid from one hand to the other turns by the mean of its curvatures times its length.
+    /// It is straight where they cancel, (1/500) l/(1/500 + 1/750) behind its beginning.
+    #[test]
+    fn analytic_clothoid_between_two_hands() {
+        let track = track(S_CURVE);
+        let turned = at(&track, 400.0).heading - at(&track, 280.0).heading;
+        assert_close(turned, 120.0 * (1.0 / 500.0 - 1.0 / 750.0) / 2.0, 1e-14);
+        let inflection = 280.0 + 120.0 * (1.0 / 500.0) / (1.0 / 500.0 + 1.0 / 750.0);
+        assert_close(at(&track, inflection).curvature, 0.0, 1e-17);
+        assert!(at(&track, 500.0).curvature < 0.0);
+    }
+
+    /// Cant h over the base of 1.5 m is the angle asin(h/1.5 m), positive with the right rail lower.
+    /// Over a transition it rises linearly. Rounding.
+    #[test]
+    fn analytic_cant_ramp() {
+        let track = track(S_CURVE);
+        let (right, left) = ((0.09 / 1.5_f64).asin(), -(0.06 / 1.5_f64).asin());
+        assert_close(at(&track, 20.0).cant_angle, right / 4.0, 1e-17);
+        assert_close(at(&track, 20.0).cant_angle_slope, right / 80.0, 1e-18);
+        assert_close(at(&track, 200.0).cant_angle, right, 1e-17);
+        assert_eq!(at(&track, 200.0).cant_angle_slope, 0.0);
+        assert_close(at(&track, 340.0).cant_angle, (right + left) / 2.0, 1e-16);
+        assert_close(at(&track, 340.0).cant_angle_slope, (left - right) / 120.0, 1e-17);
+        assert_close(at(&track, 600.0).cant_angle, left, 1e-17);
+    }
+
+    /// Without a transition curvature and cant step from one value to the other.
+    #[test]
+    fn analytic_a_curve_without_transition_begins_with_a_step() {
+        let track = track(
+            "start_m = 10
+            alignment = [{ length_m = 5 }, { length_m = 20, radius_m = 300, cant_mm = 30 }]",
+        );
+        assert_eq!(at(&track, 14.999_999).curvature, 0.0);
+        assert_eq!(at(&track, 15.0).curvature, 1.0 / 300.0);
+        assert_close(at(&track, 15.0).cant_angle, (0.03 / 1.5_f64).asin(), 1e-17);
+    }
+
+    /// A parabolic vertical curve from 8 ‰ up to 12 ‰ down over 400 m: the rise to s is
+    /// g₁ s + (g₂ − g₁) s²/(2 l), so that the crest stands at 160 m, 0.64 m up. Rounding.
+    #[test]
+    fn analytic_vertical_curve_over_a_crest() {
+        let track = track(
+            "gradient = [{ chainage_m = 0, permille = 8 }, { chainage_m = 400, permille = -12 }]",
+        );
+        for s in [100.0, 160.0, 400.0] {
+            let rise = 8e-3 * s - 20e-3 * s * s / 800.0;
+            assert_close(at(&track, s).elevation, rise, 1e-14);
+            let integral = 4e-3 * s * s - 20e-3 * s.powi(3) / 2400.0;
+            assert_close(at(&track, s).elevation_integral, integral, 1e-12);
+        }
+        let crest = at(&track, 160.0);
+        assert_close(crest.gradient, 0.0, 1e-17);
+        assert_close(crest.elevation, 0.64, 1e-15);
+        assert_close(crest.gradient_slope, -20e-3 / 400.0, 1e-18);
+        // Beyond the last point its gradient holds.
+        assert_close(at(&track, 500.0).elevation, -0.8 - 1.2, 1e-14);
+    }
+
+    #[test]
+    fn curves_that_meet_count_as_one() {
+        assert_eq!(track(S_CURVE).curves(), [[0.0, 700.0]]);
+        let separate = "alignment = [{ length_m = 10, radius_m = 300 }, { length_m = 10 },
+                                  { length_m = 10, radius_m = 300 }, { length_m = 1 }]";
+        assert_eq!(track(separate).curves(), [[0.0, 10.0], [20.0, 30.0]]);
+    }
+}

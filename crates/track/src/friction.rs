@@ -45,7 +45,7 @@ impl Friction {
         factor.map(Some).map(Self).map_err(|error| check.refuse("friction", error.to_string()))
     }
 
-    /// The factor at a chainage; `index` is any number at first and the place of the last lookup later.
+    /// The factor at a chainage; `index` is any number at first and that of the last lookup later.
     #[inline]
     pub fn factor(&self, chainage: f64, index: &mut usize) -> f64 {
         self.0.as_ref().map_or(1.0, |factor| factor.value(chainage, index))
@@ -70,6 +70,42 @@ mod tests {
         let at = |chainage| wet.factor(chainage, &mut 0);
         assert_eq!([0.0, 150.0, 250.0, 400.0].map(at), [1.0, 0.5, 0.75, 1.0]);
         assert_eq!(friction("").unwrap().factor(7.0, &mut 0), 1.0);
+    }
+
+    /// Three zones with a leaf film between them: the factor at the middle of each piece is the mean
+    /// of its ends, and outside the outermost holds.
+    #[test]
+    fn analytic_zones_along_the_track() {
+        let text = "friction = [
+            { chainage_m = 0.0, factor = 1.0 }, { chainage_m = 40.0, factor = 0.2 },
+            { chainage_m = 60.0, factor = 0.2 }, { chainage_m = 60.0, factor = 1.4 },
+            { chainage_m = 100.0, factor = 0.8 }]";
+        let zones = friction(text).unwrap();
+        let expected = [
+            (-1e6, 1.0),
+            (20.0, 0.6),
+            (50.0, 0.2),
+            (60.0, 1.4),
+            (80.0, 1.1),
+            (100.0, 0.8),
+            (1e6, 0.8),
+        ];
+        let mut index = 3;
+        for (chainage, factor) in expected {
+            let found = zones.factor(chainage, &mut index);
+            assert!((found - factor).abs() < 1e-15, "{found} at {chainage} m, not {factor}");
+        }
+    }
+
+    #[test]
+    fn zones_that_go_back_are_refused() {
+        let text =
+            "friction = [{ chainage_m = 9.0, factor = 1.0 }, { chainage_m = 8.0, factor = 1.0 }]";
+        let message = friction(text).unwrap_err().to_string();
+        assert!(
+            message.contains("friction[2].chainage_m = 8.0: must not be less than 9"),
+            "{message}"
+        );
     }
 
     #[test]

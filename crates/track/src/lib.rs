@@ -6,7 +6,7 @@
 //! | `file.rs` | the file is read, and each of its parts compiled |
 //! | `compile.rs` | from the file to the compiled track |
 //! | `track.rs` | the compiled track: what holds at a chainage |
-//! | `irregularity/` | where the rails lie besides their designed place |
+//! | `irregularity/` | offsets of the rails from their designed line |
 //! | `support.rs` | the elastic support of the rails |
 //! | `friction.rs` | how slippery the rails are |
 //!
@@ -26,4 +26,4 @@ pub use file::TrackFile;
 pub use friction::Friction;
 pub use irregularity::{Irregularity, RailOffset};
 pub use support::Support;
-pub use track::{Place, Track, TrackPoint};
+pub use track::{Location, Track, TrackPoint};

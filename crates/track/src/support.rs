@@ -54,7 +54,26 @@ impl Section {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::TrackFile;
+
+    const RAIL: &str = "[support]\nlateral_stiffness_n_m = 25e6\nlateral_damping_n_s_m = 50e3\n\
+                        vertical_stiffness_n_m = 60e6\nvertical_damping_n_s_m = 100e3";
+
+    #[test]
+    fn stiffness_and_damping_are_those_across_and_down() {
+        let support = TrackFile::new(RAIL, "t.toml").unwrap().support().unwrap();
+        let expected = Support { stiffness: [25e6, 60e6], damping: [50e3, 100e3] };
+        assert_eq!(support, Some(expected));
+    }
+
+    #[test]
+    fn a_soft_rail_is_refused_with_its_bound() {
+        let text = RAIL.replace("60e6", "60e3");
+        let message = TrackFile::new(&text, "t.toml").unwrap().support().unwrap_err().to_string();
+        let wanted = "support.vertical_stiffness_n_m = 60e3: must be at least 1e5 N/m";
+        assert!(message.contains(wanted), "{message}");
+    }
 
     #[test]
     fn a_massless_rail_needs_damping() {

@@ -43,15 +43,15 @@ pub(crate) struct Piece {
     pub uniform: bool,
 }
 
-/// A place on the track, for those who need little of what holds there.
+/// A location on the track, for those who need little of what holds there.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<'a> {
+pub struct Location<'a> {
     piece: &'a Piece,
     /// Distance from the beginning of the piece, m.
     distance: f64,
 }
 
-impl Place<'_> {
+impl Location<'_> {
     /// As [`TrackPoint::curvature`].
     #[inline]
     pub fn curvature(&self) -> f64 {
@@ -79,7 +79,7 @@ impl Place<'_> {
 
 /// Curvature, cant and gradient as functions of the chainage, in closed form piece by piece.
 ///
-/// Before the first piece and after the last one the track goes on with the outermost values.
+/// Before the first piece and after the last one the outermost values hold.
 #[derive(Clone, Debug)]
 pub struct Track {
     /// Chainage at which each piece begins, m, rising.
@@ -95,29 +95,31 @@ impl Track {
         Self { begins: vec![0.0], pieces: vec![Piece::default()], before: Piece::default() }
     }
 
-    /// All that holds at `chainage`; `index` as for [`Self::place`].
+    /// All that holds at `chainage`; `index` as for [`Self::locate`].
     #[inline]
     pub fn at(&self, chainage: f64, index: &mut usize) -> TrackPoint {
-        let Place { piece, distance } = self.place(chainage, index);
+        let Location { piece, distance } = self.locate(chainage, index);
         piece.at(distance)
     }
 
-    /// The place at `chainage`; `index` is any number at first and the place of the last lookup
-    /// later, so that a lookup near the last one costs little.
+    /// The location at `chainage`, m.
+    ///
+    /// `index` is any number at first and that of the last lookup later, so that a lookup near the
+    /// last one costs little.
     #[inline]
-    pub fn place(&self, chainage: f64, index: &mut usize) -> Place<'_> {
+    pub fn locate(&self, chainage: f64, index: &mut usize) -> Location<'_> {
         if chainage < self.begins[0] {
-            return Place { piece: &self.before, distance: chainage - self.begins[0] };
+            return Location { piece: &self.before, distance: chainage - self.begins[0] };
         }
         *index = match self.begins.last() {
             Some(&last) if chainage >= last => self.begins.len() - 1,
             _ => interval(&self.begins, chainage, *index),
         };
-        Place { piece: &self.pieces[*index], distance: chainage - self.begins[*index] }
+        Location { piece: &self.pieces[*index], distance: chainage - self.begins[*index] }
     }
 
-    /// Chainages at which curves begin and end, transitions included, m. A curve that goes on
-    /// without end is left out.
+    /// Chainages at which curves begin and end, transitions included, m. A curve without end is
+    /// left out.
     pub fn curves(&self) -> Vec<[f64; 2]> {
         let curved = |piece: &Piece| piece.curvature.iter().any(|c| *c != 0.0);
         let mut curves: Vec<[f64; 2]> = vec![];
@@ -170,7 +172,7 @@ impl Piece {
     }
 }
 
-/// A cubic at one place, and its integrals from 0 to there.
+/// A cubic at one argument, and its integrals from 0 to there.
 struct Cubic {
     value: f64,
     slope: f64,
@@ -211,4 +213,126 @@ fn value(c: &[f64; 4], s: f64) -> f64 {
 #[inline]
 fn integral(c: &[f64; 4], s: f64) -> f64 {
     s * (c[0] + s * (c[1] / 2.0 + s * (c[2] * (1.0 / 3.0) + s * c[3] / 4.0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CUBIC: [f64; 4] = [2e-3, -3e-5, 4e-7, -5e-9];
+
+    fn piece() -> Piece {
+        Piece {
+            heading: 0.3,
+            heading_integral: 7.0,
+            elevation: 5.0,
+            elevation_integral: 11.0,
+            curvature: CUBIC,
+            cant_angle: [0.04, 1e-4, 0.0, 0.0],
+            gradient: [-0.01, 2e-5, -3e-7, 4e-9],
+            uniform: false,
+        }
+    }
+
+    /// A track of one piece that begins at 100 m.
+    fn track() -> Track {
+        let before = piece().as_at_its_beginning();
+        Track { begins: vec![100.0], pieces: vec![piece()], before }
+    }
+
+    /// ∫ f from 0 to s by three points of Gauss and Legendre, exact up to the fifth power.
+    fn integral_by_gauss(f: impl Fn(f64) -> f64, s: f64) -> f64 {
+        let outer = 0.6_f64.sqrt();
+        let nodes = [(-outer, 5.0 / 18.0), (0.0, 8.0 / 18.0), (outer, 5.0 / 18.0)];
+        nodes.iter().map(|(x, weight)| weight * s * f(s * (1.0 + x) / 2.0)).sum()
+    }
+
+    /// Heading and offset are ∫ κ dt and, by Cauchy's repeated integration, ∫ (s − t) κ dt.
+    /// Elevation likewise of the gradient. Rounding.
+    #[test]
+    fn analytic_integrals_of_cubics() {
+        for s in [1.0, 40.0, 90.0] {
+            let point = piece().at(s);
+            let curvature = |t: f64| value(&CUBIC, t);
+            let gradient = |t: f64| value(&piece().gradient, t);
+            let pairs = [
+                (point.heading, 0.3 + integral_by_gauss(curvature, s)),
+                (
+                    point.heading_integral,
+                    7.0 + 0.3 * s + integral_by_gauss(|t| (s - t) * curvature(t), s),
+                ),
+                (point.elevation, 5.0 + integral_by_gauss(gradient, s)),
+                (
+                    point.elevation_integral,
+                    11.0 + 5.0 * s + integral_by_gauss(|t| (s - t) * gradient(t), s),
+                ),
+            ];
+            for (found, expected) in pairs {
+                assert!((found - expected).abs() < 1e-12 * expected.abs(), "{found}, {expected}");
+            }
+        }
+    }
+
+    /// Slopes against differences of the values over 2 mm, whose own error is below 1e-10.
+    #[test]
+    fn analytic_slopes_are_derivatives() {
+        let (before, point, after) = (piece().at(49.999), piece().at(50.0), piece().at(50.001));
+        let pairs = [
+            (point.curvature_slope, after.curvature - before.curvature),
+            (point.cant_angle_slope, after.cant_angle - before.cant_angle),
+            (point.gradient_slope, after.gradient - before.gradient),
+            (point.heading, after.heading_integral - before.heading_integral),
+        ];
+        for (slope, difference) in pairs {
+            assert!((slope - difference / 2e-3).abs() < 1e-9, "{slope}");
+        }
+    }
+
+    #[test]
+    fn property_a_location_agrees_with_the_whole_point() {
+        let track = track();
+        for chainage in [-50.0, 100.0, 150.0, 199.0] {
+            let point = track.at(chainage, &mut 0);
+            let location = track.locate(chainage, &mut 0);
+            let pairs = [
+                (location.curvature(), point.curvature),
+                (location.heading(), point.heading),
+                (location.gradient(), point.gradient),
+                (location.elevation(), point.elevation),
+            ];
+            for (found, expected) in pairs {
+                assert!((found - expected).abs() < 1e-15, "{found}, {expected} at {chainage} m");
+            }
+        }
+    }
+
+    /// Before the first point the track is a circle on a straight slope with the values of there.
+    #[test]
+    fn analytic_before_its_beginning_a_track_keeps_its_first_values() {
+        let point = track().at(60.0, &mut 0);
+        assert_eq!((point.curvature, point.gradient, point.cant_angle), (2e-3, -0.01, 0.04));
+        assert_eq!((point.curvature_slope, point.gradient_slope), (0.0, 0.0));
+        assert!((point.heading - (0.3 - 40.0 * 2e-3)).abs() < 1e-15);
+        assert!((point.elevation - (5.0 + 40.0 * 0.01)).abs() < 1e-15);
+        let offset = 7.0 - 40.0 * 0.3 + 0.5 * 2e-3 * 40.0 * 40.0;
+        assert!((point.heading_integral - offset).abs() < 1e-13);
+    }
+
+    /// A constant piece takes the short formulas, with the same values.
+    #[test]
+    fn analytic_a_constant_piece_is_a_cubic_without_slope() {
+        let constant = piece().as_at_its_beginning();
+        let general = Piece { uniform: false, ..constant };
+        let (short, long) = (constant.at(37.0), general.at(37.0));
+        assert_eq!((short.heading, short.elevation), (long.heading, long.elevation));
+        assert!((short.heading_integral - long.heading_integral).abs() < 1e-14);
+        assert!((short.elevation_integral - long.elevation_integral).abs() < 1e-13);
+    }
+
+    #[test]
+    fn analytic_straight_track_is_zero_everywhere() {
+        for chainage in [-1e6, 0.0, 1e6] {
+            assert_eq!(Track::straight().at(chainage, &mut 7), TrackPoint::default());
+        }
+    }
 }

@@ -1,14 +1,14 @@
-//! Changes of a command in the order of time, kept for as long as they travel.
+//! Changes of a command in the order of time, kept until they have arrived everywhere.
 
 use serde::{Deserialize, Serialize};
 
 /// Shortest time between two changes that are kept, s; a command that changes faster is sampled.
 pub const SAMPLING: f64 = 0.1;
 
-/// The last changes of a value; the places are taken at the start, none is added later.
+/// The last changes of a value, in memory that is taken at the start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct History<T> {
-    /// Times, s, and values, the change number `k` in the place `k` modulo their number.
+    /// Times, s, and values; the change number `k` has the index `k` modulo their number.
     changes: Vec<(f64, T)>,
     /// Number of changes so far.
     count: u64,
@@ -17,8 +17,8 @@ pub struct History<T> {
 impl<T: Copy + PartialEq> History<T> {
     /// A history that reaches `span`, s, back, of a value that has been `value` for ever.
     pub fn new(span: f64, value: T) -> Self {
-        let places = (span / SAMPLING).ceil() as usize + 2;
-        Self { changes: vec![(f64::NEG_INFINITY, value); places], count: 1 }
+        let length = (span / SAMPLING).ceil() as usize + 2;
+        Self { changes: vec![(f64::NEG_INFINITY, value); length], count: 1 }
     }
 
     /// Number of changes so far.
@@ -35,8 +35,8 @@ impl<T: Copy + PartialEq> History<T> {
     pub fn note(&mut self, time: f64, value: T, at_once: bool) {
         let (before, last) = self.change(self.count - 1);
         if value != last && (at_once || time >= before + SAMPLING) {
-            let place = (self.count % self.changes.len() as u64) as usize;
-            self.changes[place] = (time, value);
+            let index = (self.count % self.changes.len() as u64) as usize;
+            self.changes[index] = (time, value);
             self.count += 1;
         }
     }

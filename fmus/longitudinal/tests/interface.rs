@@ -139,7 +139,7 @@ fn a_driver_input_between_schedule_and_zero_is_refused() {
     assert!(message.contains("driver.notch = -0.5: must lie between 0 and 8"), "{message}");
 }
 
-/// A restored state goes on with the same bits as the run it was taken from.
+/// A restored state continues with the same bits as the run that it was taken from.
 #[test]
 fn property_restored_state_goes_on_bit_identically() {
     let folder = resources(CONSIST, DRIVER);

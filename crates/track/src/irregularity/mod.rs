@@ -1,4 +1,4 @@
-//! Where the rails lie besides their designed place: irregularities of each rail, across and down.
+//! Irregularities of each rail: its offset from the designed line, across and down.
 //!
 //! | file | part |
 //! |---|---|
@@ -20,7 +20,7 @@ pub(crate) use file::Section;
 use grid::Grid;
 use shape::Shape;
 
-/// Displacement of one rail from its designed place, and its change along the track.
+/// Offset of one rail from its designed line, and the change of the offset along the track.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RailOffset {
     /// Across, to the right, m.

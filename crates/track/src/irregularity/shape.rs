@@ -100,3 +100,67 @@ impl Shape {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shape(form: Form, rails: Rails, direction: Direction) -> Shape {
+        Shape { form, rails, direction, begin: 100.0, length: 20.0, amplitude: 4e-3, waves: 2.0 }
+    }
+
+    fn at(shape: &Shape, chainage: f64) -> [RailOffset; 2] {
+        let mut rails = [RailOffset::default(); 2];
+        shape.add_to(&mut rails, chainage);
+        rails
+    }
+
+    /// Two sine waves in 20 m: crests at 102.5 and 112.5 m, zeros at 105 and 110 m; the steepest
+    /// slope is 2π a n/l. Two dips: 4 mm at 105 and 115 m.
+    #[test]
+    fn analytic_crests_and_zeros_of_waves() {
+        let sine = shape(Form::Sine, Rails::Left, Direction::Lateral);
+        for (chainage, value) in [(102.5, 4e-3), (105.0, 0.0), (107.5, -4e-3), (112.5, 4e-3)] {
+            assert!((at(&sine, chainage)[0].lateral - value).abs() < 1e-17);
+        }
+        let steepest = TAU * 4e-3 * 2.0 / 20.0;
+        assert!((at(&sine, 110.0)[0].lateral_slope - steepest).abs() < 1e-17);
+        let dip = shape(Form::Dip, Rails::Right, Direction::Vertical);
+        for (chainage, value) in [(102.5, 2e-3), (105.0, 4e-3), (110.0, 0.0), (115.0, 4e-3)] {
+            assert!((at(&dip, chainage)[1].vertical - value).abs() < 1e-17);
+        }
+    }
+
+    /// Slopes against differences over 2 mm, whose own error is below 1e-9.
+    #[test]
+    fn analytic_slopes_are_derivatives() {
+        for form in [Form::Ramp, Form::Sine, Form::Dip] {
+            let shape = shape(form, Rails::Both, Direction::Vertical);
+            for chainage in [101.0, 104.3, 116.9, 130.0] {
+                let difference = at(&shape, chainage + 1e-3)[0].vertical
+                    - at(&shape, chainage - 1e-3)[0].vertical;
+                let slope = at(&shape, chainage)[0].vertical_slope;
+                assert!((slope - difference / 2e-3).abs() < 1e-9, "{form:?} at {chainage} m");
+            }
+        }
+    }
+
+    #[test]
+    fn a_ramp_stays_and_waves_end() {
+        let behind = |form| at(&shape(form, Rails::Left, Direction::Lateral), 125.0)[0].lateral;
+        assert_eq!([Form::Ramp, Form::Sine, Form::Dip].map(behind), [4e-3, 0.0, 0.0]);
+        let before = shape(Form::Ramp, Rails::Left, Direction::Lateral);
+        assert_eq!(at(&before, 99.9), [RailOffset::default(); 2]);
+    }
+
+    #[test]
+    fn each_rail_has_its_sign() {
+        let laterals = |rails| {
+            at(&shape(Form::Ramp, rails, Direction::Lateral), 110.0).map(|rail| rail.lateral)
+        };
+        assert_eq!(laterals(Rails::Left), [2e-3, 0.0]);
+        assert_eq!(laterals(Rails::Right), [0.0, 2e-3]);
+        assert_eq!(laterals(Rails::Both), [2e-3, 2e-3]);
+        assert_eq!(laterals(Rails::Opposite), [2e-3, -2e-3]);
+    }
+}

@@ -25,14 +25,14 @@ use serde::Deserialize;
 use stock::{Check, StockError};
 
 use super::levers::Levers;
-use super::{Command, DriverState, View};
+use super::state::DriverState;
+use super::view::View;
+use crate::command::Command;
 use numerics::LinearTable;
+use numerics::constants::KILOMETRES_PER_HOUR;
 
 /// Distance over which the slope of the profile is taken, m.
 const SLOPE_OVER: f64 = 1.0;
-
-/// Kilometres per hour in a metre per second.
-const KMH: f64 = 3.6;
 
 /// A driver who keeps a speed profile.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +72,7 @@ impl SpeedFile {
             check.between(&format!("kmh[{}]", i + 1), speed, 0.0, 500.0)?;
         }
         check.rising("chainage_m", &self.chainage_m)?;
-        let speeds = self.kmh.iter().map(|v| v / KMH).collect();
+        let speeds = self.kmh.iter().map(|v| v / KILOMETRES_PER_HOUR).collect();
         LinearTable::new(self.chainage_m.clone(), speeds).map_err(|error| {
             check.error(
                 "chainage_m",

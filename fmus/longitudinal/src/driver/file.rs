@@ -12,8 +12,8 @@ use super::levers::Levers;
 use super::profile::ProfileFile;
 use super::remote::RemoteFile;
 use super::replay::ReplayFile;
-use super::schedule::Entry;
-use super::{Driver, Kind, Schedule};
+use super::schedule::{Entry, Schedule};
+use super::{Driver, Kind};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -27,15 +27,15 @@
 //! ```
 
 use numerics::LinearTable;
+use numerics::constants::KILOMETRES_PER_HOUR;
 use serde::Deserialize;
 use stock::{Check, StockError};
 
 use super::cruise::speed_and_slope;
 use super::levers::{Levers, Wanted};
-use super::{Command, DriverState, View};
-
-/// Kilometres per hour in a metre per second.
-const KMH: f64 = 3.6;
+use super::state::DriverState;
+use super::view::View;
+use crate::command::Command;
 
 /// Change of the lever, of its greatest rate: rows from much too fast to much too slow, columns
 /// falling, steady, rising.
@@ -77,12 +77,13 @@ impl FuzzyFile {
 
 /// Degrees of `N` triangles with their tops evenly from −1 to 1.
 fn degrees<const N: usize>(value: f64) -> [f64; N] {
-    let place = (value.clamp(-1.0, 1.0) + 1.0) / 2.0 * (N - 1) as f64;
-    std::array::from_fn(|i| (1.0 - (place - i as f64).abs()).max(0.0))
+    let position = (value.clamp(-1.0, 1.0) + 1.0) / 2.0 * (N - 1) as f64;
+    std::array::from_fn(|i| (1.0 - (position - i as f64).abs()).max(0.0))
 }
 
-/// Change of the lever, of its greatest rate, for a speed error and an acceleration, both in terms of
-/// the greatest that the rules know.
+/// Change of the lever by the rules, as a share of its greatest rate.
+///
+/// Speed error and acceleration are shares of the greatest that the rules know.
 fn lever_change(error: f64, acceleration: f64) -> f64 {
     let (errors, accelerations) = (degrees::<5>(error), degrees::<3>(acceleration));
     let mut change = 0.0;
@@ -111,7 +112,7 @@ impl Fuzzy {
         let growth = own + change - speed * slope;
         let rate = self.rules.rate_per_s
             * lever_change(
-                error * KMH / self.rules.error_kmh,
+                error * KILOMETRES_PER_HOUR / self.rules.error_kmh,
                 growth / self.rules.acceleration_m_per_s2,
             );
         let lever = (state.levers.lever + rate * self.levers.interval()).clamp(-2.0, 1.0);

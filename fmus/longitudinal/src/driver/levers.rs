@@ -6,8 +6,9 @@
 use serde::{Deserialize, Serialize};
 use stock::{Check, StockError};
 
-use super::{Command, View};
-use crate::traction::HIGHEST_NOTCH;
+use super::view::View;
+use crate::command::{Command, HIGHEST_NOTCH};
+use crate::train::vehicle::Vehicle;
 
 /// Halvings of the search for a throttle: 2⁻³⁰ of it is left.
 const HALVINGS: usize = 30;
@@ -93,7 +94,7 @@ impl Levers {
     pub(super) fn wanted(&self, force: f64, view: &View) -> (Wanted, bool) {
         let Some((train, _)) = view.train else { return (Wanted::default(), true) };
         let speed = view.velocity.abs();
-        let sum = |of: &dyn Fn(&crate::vehicle::Vehicle) -> f64| -> f64 {
+        let sum = |of: &dyn Fn(&Vehicle) -> f64| -> f64 {
             train.vehicles().iter().map(|vehicle| of(vehicle)).sum()
         };
         if force >= 0.0 {

@@ -1,4 +1,4 @@
-//! One lever by a table over time or place.
+//! One lever by a table over time or chainage.
 //!
 //! ```toml
 //! [[profile]]
@@ -11,9 +11,8 @@ use numerics::LinearTable;
 use serde::Deserialize;
 use stock::{Check, StockError};
 
-use super::{Command, View};
-use crate::brake::EMERGENCY;
-use crate::traction::HIGHEST_NOTCH;
+use super::view::View;
+use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
 
 /// Table of one lever.
 #[derive(Clone, Debug, PartialEq)]

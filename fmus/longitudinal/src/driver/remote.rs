@@ -12,8 +12,9 @@
 use serde::{Deserialize, Serialize};
 use stock::{Check, StockError};
 
-use super::schedule::Entry;
-use super::{Command, Schedule, View};
+use super::schedule::{Entry, Schedule};
+use super::view::View;
+use crate::command::Command;
 use crate::history::History;
 
 /// A remote group.
@@ -38,7 +39,7 @@ pub(super) struct RemoteFile {
 /// What has gone over the radio.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RadioState {
-    /// What the leading group was told.
+    /// Commands of the leading group.
     sent: History<Command>,
     /// For each remote group: changes received, and commands of its own that have come.
     received: Vec<(u64, usize)>,
@@ -68,8 +69,7 @@ impl RadioState {
         }
     }
 
-    /// Tells the remote groups what the leading one does; the first command counts as told long
-    /// ago.
+    /// Sends the command of the leading group; the first one counts as sent long ago.
     pub(super) fn send(&mut self, time: f64, command: Command) {
         let first = self.sent.count() == 1;
         self.sent.note(if first { f64::NEG_INFINITY } else { time }, command, first);
@@ -77,14 +77,16 @@ impl RadioState {
 }
 
 impl Remote {
-    /// What the group with the place `i` among the remote ones does.
+    /// The command of the remote group with the index `i`.
     pub(super) fn command(&self, radio: &mut RadioState, i: usize, view: &View) -> Command {
         let (received, reached) = &mut radio.received[i];
-        let heard = view.time - self.delay;
+        let sending_time = view.time - self.delay;
         if let Some(own) = &self.own {
-            return own.command(reached, heard, view.chainage);
+            return own.command(reached, sending_time, view.chainage);
         }
-        while *received + 1 < radio.sent.count() && radio.sent.change(*received + 1).0 <= heard {
+        while *received + 1 < radio.sent.count()
+            && radio.sent.change(*received + 1).0 <= sending_time
+        {
             *received += 1;
         }
         radio.sent.change(*received).1

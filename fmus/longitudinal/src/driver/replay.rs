@@ -19,12 +19,11 @@ use std::path::Path;
 
 use files::{Document, Table, did_you_mean};
 use numerics::LinearTable;
+use numerics::constants::{KILOMETRES_PER_HOUR, MILES_PER_HOUR};
 use serde::Deserialize;
 use stock::{Check, StockError};
 
-use super::Command;
-use crate::brake::EMERGENCY;
-use crate::traction::HIGHEST_NOTCH;
+use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
 
 /// Recorded commands and speed.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,9 +130,9 @@ impl ReplayFile {
         self.check_times(&times, &log, time)?;
 
         let unit = match self.speed_unit {
-            SpeedUnit::Kmh => 3.6,
+            SpeedUnit::Kmh => KILOMETRES_PER_HOUR,
             SpeedUnit::MetrePerSecond => 1.0,
-            SpeedUnit::Mph => 1.0 / 0.447_04,
+            SpeedUnit::Mph => MILES_PER_HOUR,
         };
         let linear = |values: Vec<f64>| {
             LinearTable::new(times.clone(), values)

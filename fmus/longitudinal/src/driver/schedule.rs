@@ -1,4 +1,4 @@
-//! A schedule of commands by time or by place.
+//! A schedule of commands by time or chainage.
 //!
 //! ```toml
 //! [[command]]
@@ -11,15 +11,13 @@
 //! locomotive_brake = 0.0       # 1 is full
 //! ```
 //!
-//! The commands hold one after the other: each waits for its own time or place, and then for
-//! nothing else. What a command does not name is zero.
+//! The commands hold one after the other: each waits for its own time or chainage, and then
+//! for nothing else. What a command does not name is zero.
 
 use serde::Deserialize;
 use stock::{Check, StockError};
 
-use super::Command;
-use crate::brake::EMERGENCY;
-use crate::traction::HIGHEST_NOTCH;
+use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
 
 /// Commands in order.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -73,7 +71,7 @@ impl Schedule {
         Ok(Self { entries: compiled })
     }
 
-    /// The command that holds; `reached` is the number of commands whose time or place has come.
+    /// The command that holds; `reached` is the number of commands whose time or chainage has come.
     pub fn command(&self, reached: &mut usize, time: f64, chainage: f64) -> Command {
         while let Some((begin, _)) = self.entries.get(*reached) {
             let holds = match begin {
@@ -175,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn commands_hold_from_their_time_or_place() {
+    fn commands_hold_from_their_time_or_chainage() {
         let schedule = schedule(
             "command = [{ from_s = 0, notch = 8 }, { from_m = 500, train_brake = 1 },
                         { from_s = 10, dynamic_brake = 0.5 }]",

@@ -1,6 +1,6 @@
 //! Air brake, locomotive brake, hand brakes and the heat of the wheels.
 
-use longitudinal::driver::Command;
+use longitudinal::Command;
 use longitudinal::{BuildError, Couplers, TrainDynamics, TrainState};
 use stock::{Consist, Vehicle};
 use track::Track;
@@ -52,7 +52,7 @@ fn analytic_air_brake_wave_runs_along_the_train() {
         let times = first_changes(&mut train, &mut state, &train_brake(to));
         for i in [1, 20, 59] {
             Row {
-                case: &format!("brake {from} to {to} is felt by vehicle {}", i + 1),
+                case: &format!("brake {from} to {to} arrives at vehicle {}", i + 1),
                 value: times[i],
                 expected: 20.0 * i as f64 / wave,
                 unit: "s",
@@ -86,7 +86,7 @@ fn analytic_air_brake_fills_and_empties_along_its_curves() {
         let mut after = |command: f64, time: f64, expected: f64| {
             train.advance(&mut state, &train_brake(command), time);
             let cylinder = state.vehicles[0].brake.cylinder;
-            // 1 ms until the command is heard, of 4 s.
+            // 1 ms until the command arrives, of 4 s.
             assert!((cylinder - expected).abs() < 5e-4, "{cylinder} {expected}");
         };
         after(0.6, 4.0, 0.4);
@@ -169,13 +169,13 @@ fn air_row(case: &str, value: f64, expected: f64) {
         expected,
         unit: "of full service",
         source: "balance of the air by hand",
-        tolerance: (5e-4, "a command is heard a step of 1 ms late; rates of up to 0.1/s"),
+        tolerance: (5e-4, "a command arrives a step of 1 ms late; rates of up to 0.1/s"),
     }
     .holds(&PAGE);
 }
 
 /// The second application finds what the reservoirs have got back in 30 s: those at the head, with
-/// 50 s, all but exp(−30/50); those a kilometre behind, with 150 s, hear the release 5 s late and the
+/// 50 s, all but exp(−30/50); those a kilometre behind, with 150 s, get the release 5 s late and the
 /// application 4 s late.
 #[test]
 fn analytic_reservoir_gives_what_it_has_got_back() {

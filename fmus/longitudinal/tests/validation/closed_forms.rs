@@ -1,7 +1,7 @@
 //! Closed forms of whole trains.
 
 use crate::support::*;
-use longitudinal::driver::Command;
+use longitudinal::Command;
 use longitudinal::{Couplers, LONGEST_STEP, TrainDynamics, TrainState};
 use track::Track;
 

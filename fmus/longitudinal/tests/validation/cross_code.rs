@@ -8,7 +8,8 @@
 use std::path::Path;
 
 use crate::support::*;
-use longitudinal::driver::{Driver, View};
+use longitudinal::driver::Driver;
+use longitudinal::driver::view::View;
 use longitudinal::{Couplers, Start, TrainDynamics};
 use stock::Consist;
 use track::Track;

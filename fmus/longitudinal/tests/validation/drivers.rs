@@ -1,6 +1,9 @@
 //! Drivers who control the speed or repeat a logger, and remote locomotives.
 
-use longitudinal::driver::{Command, Driver, DriverState, View};
+use longitudinal::Command;
+use longitudinal::driver::Driver;
+use longitudinal::driver::state::DriverState;
+use longitudinal::driver::view::View;
 use longitudinal::{Couplers, TrainDynamics, TrainState};
 use stock::StockError;
 use track::Track;

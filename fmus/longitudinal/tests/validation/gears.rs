@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use longitudinal::TrainDynamics;
-use longitudinal::connection::{Connection, ConnectionState, GearPair};
-use longitudinal::draft_gear::DraftGear;
+use longitudinal::coupling::connection::{Connection, ConnectionState, GearPair};
+use longitudinal::coupling::draft_gear::DraftGear;
 use track::Track;
 
 use crate::support::*;

@@ -1,8 +1,8 @@
 //! What the line does to a vehicle.
 
-use longitudinal::curve_resistance::CurveResistance;
-use longitudinal::driver::Command;
-use longitudinal::resistance::Resistance;
+use longitudinal::Command;
+use longitudinal::resistance::curve::CurveResistance;
+use longitudinal::resistance::propulsion::Resistance;
 use longitudinal::{Couplers, Wind};
 use track::Track;
 
@@ -102,7 +102,7 @@ fn analytic_wind_counts_against_the_heading() {
     }
 }
 
-/// A vehicle that reaches over a step of the gradient feels the mean over its length.
+/// A vehicle that reaches over a step of the gradient has the mean over its length.
 #[test]
 fn analytic_gradient_over_the_length_of_a_vehicle() {
     let text = "gradient = [{ chainage_m = -500, permille = 0 }, { chainage_m = 0, permille = 0 },
@@ -144,7 +144,7 @@ fn analytic_energy_balance_over_a_crest_with_long_vehicles() {
 }
 
 /// Static sag: the force changes from coupler to coupler by the weight of the vehicle between them
-/// along the gradient at its place. The train hangs on its first vehicle, which is braked.
+/// along the gradient under it. The train hangs on its first vehicle, which is braked.
 #[test]
 fn analytic_static_forces_in_a_sag() {
     let text =

@@ -1,6 +1,6 @@
 //! Two vehicles: impacts, and oscillations on their connection.
 
-use longitudinal::driver::Command;
+use longitudinal::Command;
 use longitudinal::{Couplers, TrainDynamics, TrainState};
 use stock::DraftGear;
 use track::Track;

@@ -1,6 +1,6 @@
 //! Resistance, traction and what speed comes of them, against published figures and one mass.
 
-use longitudinal::driver::Command;
+use longitudinal::Command;
 use longitudinal::{Couplers, TrainDynamics, TrainState};
 use stock::Vehicle;
 use track::Track;

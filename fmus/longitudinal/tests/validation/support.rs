@@ -1,6 +1,6 @@
 //! Trains for the tests, from the shipped rolling stock.
 
-use longitudinal::driver::Command;
+use longitudinal::Command;
 use longitudinal::{Couplers, Start, TrainDynamics, TrainState};
 use stock::{DraftGear, Library, Vehicle};
 use track::Track;

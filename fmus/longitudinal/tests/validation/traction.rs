@@ -1,6 +1,6 @@
 //! Kinds of traction.
 
-use longitudinal::traction::Traction;
+use longitudinal::drive::traction::Traction;
 
 use crate::support::*;
 
