@@ -198,7 +198,15 @@ fn a_parameter_of_the_wrong_type_is_answered_with_the_right_one() {
 fn a_parameter_that_the_rail_has_not_is_named() {
     let scenario = with_heat("parameters = { \"section.raill\" = \"60E1\" }");
     let message = refusal(&scenario.run(&[]));
-    assert_says(&message, &["\"section.raill\" = \"60E1\"", "has no such variable", "rail.fmu"]);
+    assert_says(
+        &message,
+        &[
+            "\"section.raill\" = \"60E1\"",
+            "has no such variable",
+            "rail.fmu",
+            "did you mean `section.rail`?",
+        ],
+    );
 }
 
 #[test]

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use files::did_you_mean;
+
 use crate::fmi::Import;
 use crate::interface::{Variable, VariableType};
 use crate::scenario::Value;
@@ -25,7 +27,9 @@ pub(crate) fn set_parameter(
     };
     let file = import.file();
     let variable = unit.interface().variable(name).cloned().ok_or_else(|| {
-        wrong(format!("{file} has no such variable; `hotfoot interface {file}` lists them"))
+        let variables = unit.interface().variables();
+        let meant = did_you_mean(name, variables.iter().map(|variable| variable.name.as_str()));
+        wrong(format!("{file} has no such variable; `hotfoot interface {file}` lists them{meant}"))
     })?;
     let Variable { reference, kind, causality, .. } = variable;
     if let ("input", VariableType::Real, Some(number)) = (causality.as_str(), kind, value.number())
