@@ -1,6 +1,7 @@
 //! Any number of threads gives the same bytes.
 
-use hotfoot_tests::SmallScenario;
+use hotfoot_tests::{PAGE, SmallScenario};
+use validation::Finding;
 
 /// The recorded series of a run with so many threads.
 fn series(threads: &str) -> Vec<(String, Vec<u8>)> {
@@ -24,4 +25,6 @@ fn property_one_two_and_four_threads_record_the_same_bytes() {
     assert_eq!(one.len(), 4, "train, vehicles, wheels, rail");
     assert!(one == series("2"), "two threads differ from one");
     assert!(one == series("4"), "four threads differ from one");
+    let (expected, source) = ("the same bytes", "series recorded with 1 thread");
+    Finding { case: "series recorded with 2 and 4 threads", expected, source }.stands_in(&PAGE);
 }

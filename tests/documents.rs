@@ -130,3 +130,33 @@ fn the_vocabulary_names_what_stands_in_the_code() {
         assert!(words.contains(&name), "docs/vocabulary.md: no {name} in the code");
     }
 }
+
+#[test]
+fn each_equation_is_listed_with_tests_that_exist() {
+    let (mut pages, mut sources) = (vec![], vec![]);
+    files(
+        &root().join("docs/theory"),
+        &|path| path.extension().is_some_and(|e| e == "md"),
+        &mut pages,
+    );
+    for folder in ["crates", "fmus"] {
+        files(
+            &root().join(folder),
+            &|path| path.extension().is_some_and(|e| e == "rs"),
+            &mut sources,
+        );
+    }
+    let list = text("docs/validation/equations.md");
+    for page in pages {
+        let place = page.strip_prefix(root().join("docs")).unwrap().display();
+        for anchor in std::fs::read_to_string(&page).unwrap().split("<a id=\"").skip(1) {
+            let link = format!("(../{place}#{})", anchor.split('"').next().unwrap());
+            assert!(list.contains(&link), "docs/validation/equations.md lacks {link}");
+        }
+    }
+    let code: String = sources.iter().map(|file| std::fs::read_to_string(file).unwrap()).collect();
+    for name in list.split('`').skip(1).step_by(2).filter(|name| name.contains('_')) {
+        let function = format!("fn {name}(");
+        assert!(code.contains(&function), "docs/validation/equations.md: no test {name}");
+    }
+}

@@ -2,13 +2,15 @@
 
 use fmu::{Instance, Model};
 use hotfoot::{FmuInstance, Import, Unit};
-use hotfoot_tests::{fmu, resources};
+use hotfoot_tests::{PAGE, fmu, resources};
+use validation::Finding;
 
 const STEP: f64 = 1e-3;
 const STEPS: u32 = 200;
 
-/// Runs a model both ways, with these inputs, and compares all Real outputs after each step.
-fn compare<M: Model>(model: &str, inputs: &[(&str, f64)]) {
+/// Runs a model both ways, with these inputs, and compares all Real outputs after each step; `name` is
+/// that of the validation page.
+fn compare<M: Model>(name: &str, model: &str, inputs: &[(&str, f64)]) {
     let import = Import::open(&fmu(model)).unwrap();
     let interface = import.interface();
     let reference = |name: &str| interface.variable(name).unwrap().reference;
@@ -42,11 +44,14 @@ fn compare<M: Model>(model: &str, inputs: &[(&str, f64)]) {
         let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&from_fmi), bits(&directly), "{model} at step {k}");
     }
+    let case = format!("{name} called directly, all outputs");
+    Finding { case: &case, expected: "the same bits", source: "its FMU" }.stands_in(&PAGE);
 }
 
 #[test]
 fn property_the_vehicle_is_the_same_as_its_fmu() {
     compare::<vehicle::Vehicle>(
+        "vehicle",
         "vehicle",
         &[("coupler.front.force", 100e3), ("coupler.rear.force", 150e3), ("traction.force", 50e3)],
     );
@@ -54,12 +59,13 @@ fn property_the_vehicle_is_the_same_as_its_fmu() {
 
 #[test]
 fn property_the_train_is_the_same_as_its_fmu() {
-    compare::<longitudinal::Train>("longitudinal", &[("driver.notch", 6.0)]);
+    compare::<longitudinal::Train>("train", "longitudinal", &[("driver.notch", 6.0)]);
 }
 
 #[test]
 fn property_the_rail_is_the_same_as_its_fmu() {
     compare::<railheat::RailHeat>(
+        "rail",
         "railheat",
         &[
             ("vehicle[1].wheelset[1].position", 50.0),

@@ -1,7 +1,8 @@
 //! Wheel and rail profiles that a vehicle file names as files of points: they go into the FMUs with the
 //! rolling-stock library, and what is wrong with them is told by vehicle file and key.
 
-use hotfoot_tests::{SmallScenario, copy_folder, root};
+use hotfoot_tests::{PAGE, SmallScenario, copy_folder, root};
+use validation::Finding;
 
 /// Vehicle file of the wagon of the small scenario with a worn wheel.
 const WORN: &str = "extends = \"wagon-coco-134t-unpowered\"\n\
@@ -50,6 +51,12 @@ fn a_profile_file_goes_into_the_fmu() {
     drop(scenario);
     elsewhere.text += "\n[fmus]\nvehicle_at = [{ place = 5, file = \"worn.fmu\" }]\n";
     elsewhere.run_well(&[]);
+    Finding {
+        case: "vehicle whose wheel profile is a file of points",
+        expected: "its FMU holds the file and runs where the library is gone",
+        source: "the file",
+    }
+    .stands_in(&PAGE);
 }
 
 #[test]

@@ -2,7 +2,6 @@
 //!
 //! | file | what is tested |
 //! |---|---|
-//! | `architecture.rs` | who may depend on whom |
 //! | `command_line.rs` | answers to wrong input |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `documents.rs` | what README, licences and vocabulary say |
@@ -25,7 +24,6 @@
 //! All are one program, since linking is what takes the time of such tests' build. They need the
 //! packed FMUs (`cargo xtask fmus`); `cargo test --release -p hotfoot-tests rails` runs those of `rails.rs`.
 
-mod architecture;
 mod command_line;
 mod determinism;
 mod documents;

@@ -4,6 +4,7 @@ import sys
 import tomllib
 from pathlib import Path
 
+import numpy
 import pandas
 import pyarrow.parquet
 import zarr
@@ -28,21 +29,13 @@ def unit_of(results, column):
 
 
 def highest_rise(results):
-    """The highest temperature rise in the field: its value in K, its time in s, chainage in m."""
+    """The highest temperature rise in the field, K, with its time, s, chainage and depth, m."""
     store = zarr.open_group(results / "rail.zarr", mode="r")
     axes = ("time", "chainage", "depth")
     (name,) = set(store.array_keys()) - set(axes)
-    rise = store[name][:]
-    at = numpy_index(rise)
-    time, chainage = (store[axis][i] for axis, i in zip(axes, at))
-    return float(rise[at]), float(time), float(chainage)
-
-
-def numpy_index(field):
-    """Index of the greatest value of an array in all dimensions."""
-    import numpy
-
-    return numpy.unravel_index(numpy.argmax(field), field.shape)
+    field = store[name][:]
+    at = numpy.unravel_index(numpy.argmax(field), field.shape)
+    return float(field[at]), *(float(store[axis][index]) for axis, index in zip(axes, at))
 
 
 def figures(results):
@@ -55,8 +48,8 @@ def main():
     results = Path(sys.argv[1])
     print(f"coupler forces, {unit_of(results, 'coupler_rear_force')}")
     print(coupler_forces(results).round(0).to_string())
-    rise, time, chainage = highest_rise(results)
-    print(f"highest rise {rise:.3f} K at {time} s, chainage {chainage} m")
+    rise, time, chainage, depth = highest_rise(results)
+    print(f"highest rise {rise:.3f} K at {time} s, chainage {chainage} m, {1e3 * depth:.0f} mm deep")
     for key, value, unit in figures(results):
         print(f"{key} = {value} {unit}")
 

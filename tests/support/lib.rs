@@ -6,6 +6,14 @@ pub mod hostile;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use validation::Page;
+
+/// The page that has the table of comparisons of the whole system.
+pub const PAGE: Page = Page {
+    path: "docs/validation/README.md",
+    text: include_str!("../../docs/validation/README.md"),
+};
+
 /// Root of the repository.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("tests lie in the repository")

@@ -1,14 +1,14 @@
 //! Rules on what the unknowns of `ModelStructure` depend on (§2.2.8).
 
 use super::description::Description;
+use super::rule::{Breaches, Rule, Severity};
 use super::structure::{LISTS, unknowns};
-use super::{Breaches, Rule, Severity};
 
 pub const RULES: &[Rule] = &[
     Rule {
         name: "dependencies-are-in-range",
         severity: Severity::Error,
-        wants: "dependencies are places of variables, counted from one",
+        wants: "dependencies are indices of variables, counted from one",
         check: in_range,
     },
     Rule {

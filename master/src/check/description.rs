@@ -1,4 +1,4 @@
-//! A model description as the rules see it: its elements with their places in the text.
+//! A model description as the rules see it: its elements with their lines in the text.
 
 use roxmltree::{Document, Node};
 
@@ -9,7 +9,7 @@ pub type Element<'x> = Node<'x, 'x>;
 pub struct Variable<'x> {
     /// The element `ScalarVariable`.
     pub element: Element<'x>,
-    /// Its place in `ModelVariables`, counted from one.
+    /// Its index in `ModelVariables`, counted from one.
     pub index: usize,
     /// `name`.
     pub name: &'x str,

@@ -1,4 +1,4 @@
-//! How elements of a modelDescription.xml are described: attributes, and places for children.
+//! How elements of a modelDescription.xml are described: attributes, and slots for children.
 
 /// What an attribute may hold.
 pub enum Value {
@@ -42,11 +42,11 @@ pub struct Schema {
     pub slots: Option<&'static [Slot]>,
 }
 
-/// A place for child elements.
+/// A slot for child elements.
 pub struct Slot {
     /// One of these stands there.
     pub choices: &'static [Schema],
-    /// Whether the place must be filled.
+    /// Whether the slot must be filled.
     pub required: bool,
     /// Whether several may stand there.
     pub many: bool,
@@ -76,22 +76,22 @@ pub const fn tree(
     Schema { name, attributes, slots: Some(slots) }
 }
 
-/// A place that may hold one of these.
+/// A slot that may hold one of these.
 pub const fn optional(choices: &'static [Schema]) -> Slot {
     Slot { choices, required: false, many: false }
 }
 
-/// A place that must hold one of these.
+/// A slot that must hold one of these.
 pub const fn one(choices: &'static [Schema]) -> Slot {
     Slot { choices, required: true, many: false }
 }
 
-/// A place that must hold at least one of these.
+/// A slot that must hold at least one of these.
 pub const fn some(choices: &'static [Schema]) -> Slot {
     Slot { choices, required: true, many: true }
 }
 
-/// A place that may hold any number of these.
+/// A slot that may hold any number of these.
 pub const fn any_number(choices: &'static [Schema]) -> Slot {
     Slot { choices, required: false, many: true }
 }

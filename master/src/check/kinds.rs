@@ -1,7 +1,7 @@
 //! Rules on what a variable is: its causality, variability, initial and type together (§2.2.7).
 
 use super::description::{Description, KINDS, Variable};
-use super::{Breaches, Rule, Severity};
+use super::rule::{Breaches, Rule, Severity};
 
 pub const RULES: &[Rule] = &[
     Rule {
@@ -32,7 +32,7 @@ pub const RULES: &[Rule] = &[
     Rule {
         name: "derivative-of-a-real",
         severity: Severity::Error,
-        wants: "the attribute derivative is the place of another Real variable",
+        wants: "the attribute derivative is the index of another Real variable",
         check: derivative,
     },
 ];

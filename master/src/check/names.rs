@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::description::{Description, Variable};
-use super::{Breaches, Rule, Severity};
+use super::rule::{Breaches, Rule, Severity};
 
 pub const RULES: &[Rule] = &[
     Rule {
@@ -95,9 +95,9 @@ fn after_word(text: &str) -> Option<&str> {
 /// What follows the closing quote; a backslash takes the meaning from the mark behind it.
 fn after_quote(quoted: &str) -> Option<&str> {
     let mut escaped = false;
-    for (place, mark) in quoted.char_indices() {
+    for (index, mark) in quoted.char_indices() {
         match mark {
-            '\'' if !escaped => return (place > 0).then(|| &quoted[place + 1..]),
+            '\'' if !escaped => return (index > 0).then(|| &quoted[index + 1..]),
             _ => escaped = mark == '\\' && !escaped,
         }
     }

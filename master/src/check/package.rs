@@ -2,18 +2,20 @@
 
 use std::path::Path;
 
-use super::{FILE, Finding, Severity, check_description, terminals};
+use super::rule::{Finding, Severity};
+use super::rules::{FILE, check_description};
+use super::terminals;
 use crate::files::archive;
 use crate::fmi::{self, FmuInstance, Import};
 use crate::interface::Interface;
 
 /// An error of a rule that no single element breaks.
-fn error(rule: &'static str, place: impl Into<String>, sentence: impl Into<String>) -> Finding {
-    let (place, sentence) = (place.into(), sentence.into());
-    Finding { rule, severity: Severity::Error, place, sentence }
+fn error(rule: &'static str, location: impl Into<String>, sentence: impl Into<String>) -> Finding {
+    let (location, sentence) = (location.into(), sentence.into());
+    Finding { rule, severity: Severity::Error, location, sentence }
 }
 
-/// Checks an FMU from its archive to its binary, as far as it can be read.
+/// Checks an FMU: its archive, its model description and its binary, as far as they can be read.
 pub fn check(fmu: &Path) -> Vec<Finding> {
     let name = fmu.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let folder = match tempfile::tempdir() {
@@ -52,15 +54,15 @@ fn uncommon((entry, method): (String, String)) -> Finding {
 /// Checks the binary, where there is one for this platform.
 fn binary(fmu: &Path, folder: &Path, interface: &Interface) -> Vec<Finding> {
     let path = fmi::binary_path(&interface.identifier);
-    let place = path.display().to_string();
+    let location = path.display().to_string();
     let file = folder.join(&path);
     if !file.exists() {
-        return vec![missing_binary(folder, place)];
+        return vec![missing_binary(folder, location)];
     }
     match fmi::missing_functions(&file) {
         Err(source) => {
             let sentence = format!("the binary cannot be loaded: {source}");
-            vec![error("binary-can-be-loaded", place, sentence)]
+            vec![error("binary-can-be-loaded", location, sentence)]
         }
         Ok(missing) if !missing.is_empty() => {
             let sentence = format!(
@@ -68,51 +70,51 @@ fn binary(fmu: &Path, folder: &Path, interface: &Interface) -> Vec<Finding> {
                  does not support",
                 missing.join(", ")
             );
-            vec![error("functions-are-complete", place, sentence)]
+            vec![error("functions-are-complete", location, sentence)]
         }
-        Ok(_) => instance(fmu, &place),
+        Ok(_) => instance(fmu, &location),
     }
 }
 
 /// There is no binary for this platform: none at all, or one for another.
-fn missing_binary(folder: &Path, place: String) -> Finding {
+fn missing_binary(folder: &Path, location: String) -> Finding {
     let platforms: Vec<String> = std::fs::read_dir(folder.join("binaries"))
         .into_iter()
         .flatten()
         .flatten()
         .map(|entry| entry.file_name().to_string_lossy().into_owned())
         .collect();
-    match platforms.iter().any(|platform| place.contains(platform)) || platforms.is_empty() {
+    match platforms.iter().any(|platform| location.contains(platform)) || platforms.is_empty() {
         true => error(
             "binary-is-there",
-            place,
+            location,
             "there is no such file; the binary must be named by `modelIdentifier`",
         ),
         false => Finding {
             rule: "binary-is-for-this-platform",
             severity: Severity::Advice,
-            place,
+            location,
             sentence: format!("there are binaries for {} only", platforms.join(", ")),
         },
     }
 }
 
 /// What the binary says, and whether it makes an instance.
-fn instance(fmu: &Path, place: &str) -> Vec<Finding> {
+fn instance(fmu: &Path, location: &str) -> Vec<Finding> {
     let import = match Import::open(fmu) {
         Ok(import) => import,
-        Err(source) => return vec![error("binary-can-be-loaded", place, source.to_string())],
+        Err(source) => return vec![error("binary-can-be-loaded", location, source.to_string())],
     };
     let mut findings = vec![];
     let (version, platform) = import.version_and_platform();
     if version != "2.0" {
         let sentence = format!("fmi2GetVersion gives \"{version}\", but must give \"2.0\"");
-        findings.push(error("binary-is-of-fmi-2.0", place, sentence));
+        findings.push(error("binary-is-of-fmi-2.0", location, sentence));
     }
     if platform != "default" {
         let sentence =
             format!("fmi2GetTypesPlatform gives \"{platform}\", but must give \"default\"");
-        findings.push(error("binary-is-of-fmi-2.0", place, sentence));
+        findings.push(error("binary-is-of-fmi-2.0", location, sentence));
     }
     if let Err(source) = FmuInstance::new(&import, "check") {
         let sentence = format!(
@@ -120,7 +122,7 @@ fn instance(fmu: &Path, place: &str) -> Vec<Finding> {
             import.interface().guid,
             source.last_message.map(|text| format!(": {text}")).unwrap_or_default()
         );
-        findings.push(error("instance-can-be-made", place, sentence));
+        findings.push(error("instance-can-be-made", location, sentence));
     }
     findings
 }

@@ -2,8 +2,8 @@
 //! (§2.2.1, §2.2.4, §2.2.5, §4.3.1).
 
 use super::description::{Description, child, number};
+use super::rule::{Breaches, Rule, Severity};
 use super::units::repeated;
-use super::{Breaches, Rule, Severity};
 
 /// Name of the rule on the version, without which the others make no sense.
 pub(super) const VERSION: &str = "fmi-version-is-2.0";

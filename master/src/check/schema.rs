@@ -1,12 +1,12 @@
-//! Rules on elements and attributes: each is one that the schema of FMI 2.0 has, stands in its
-//! place, and holds what it may.
+//! Rules on elements and attributes: each is one that the schema of FMI 2.0 has, stands where it may,
+//! and holds what it may.
 
 use roxmltree::Attribute as Written;
 
 use super::description::{Description, Element};
 use super::elements::ROOT;
 use super::grammar::{Attribute, Schema, Slot, Value};
-use super::{Breaches, Rule, Severity};
+use super::rule::{Breaches, Rule, Severity};
 
 pub const RULES: &[Rule] = &[
     Rule {
@@ -51,7 +51,7 @@ fn children(parent: Element<'_>, slots: &[Slot], breaches: &mut Breaches) {
     for child in parent.children().filter(|child| child.is_element()) {
         let own = child.tag_name().name();
         let Some((slot, _)) = find(slots, child) else {
-            breaches.at(child, format!("<{own}> has no place in <{name}>: {}", inside(slots)));
+            breaches.at(child, format!("<{own}> cannot stand in <{name}>: {}", inside(slots)));
             continue;
         };
         if slot < last {

@@ -1,7 +1,7 @@
 //! Rules on the values of variables: start, bounds, nominal (§2.2.3, §2.2.7).
 
 use super::description::{Description, Element, Variable, child, number};
-use super::{Breaches, Rule, Severity};
+use super::rule::{Breaches, Rule, Severity};
 
 pub const RULES: &[Rule] = &[
     Rule {

@@ -3,13 +3,13 @@
 use std::collections::HashSet;
 
 use super::description::{Description, Element, Variable};
-use super::{Breaches, Rule, Severity};
+use super::rule::{Breaches, Rule, Severity};
 
 pub const RULES: &[Rule] = &[
     Rule {
         name: "indices-are-in-range",
         severity: Severity::Error,
-        wants: "the index of an unknown is the place of a variable, counted from one",
+        wants: "the index of an unknown is the index of a variable, counted from one",
         check: in_range,
     },
     Rule {
@@ -124,7 +124,7 @@ fn initial_unknowns(description: &Description<'_>, breaches: &mut Breaches) {
     compare(description, "InitialUnknowns", wanted, what, breaches);
 }
 
-/// The places of the states and derivatives that `Derivatives` names.
+/// The indices of the states and derivatives that `Derivatives` names.
 fn states(description: &Description<'_>) -> HashSet<usize> {
     let unknowns = unknowns(description, "Derivatives");
     let derivatives = unknowns.into_iter().filter_map(|unknown| variable(description, unknown));

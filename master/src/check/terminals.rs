@@ -5,7 +5,7 @@ use std::path::Path;
 
 use roxmltree::Document;
 
-use super::{Finding, Severity};
+use super::rule::{Finding, Severity};
 
 /// Where the file lies in an FMU.
 pub const FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
@@ -16,13 +16,13 @@ pub fn check(folder: &Path, description: &str) -> Vec<Finding> {
         return vec![];
     };
     let error =
-        |rule, place, sentence| Finding { rule, severity: Severity::Error, place, sentence };
+        |rule, location, sentence| Finding { rule, severity: Severity::Error, location, sentence };
     let document = match Document::parse(&text) {
         Ok(document) => document,
         Err(source) => {
-            let place = format!("{FILE}:{}", source.pos().row);
+            let location = format!("{FILE}:{}", source.pos().row);
             let sentence = format!("the file is not XML: {source}");
-            return vec![error("terminals-are-xml", place, sentence)];
+            return vec![error("terminals-are-xml", location, sentence)];
         }
     };
     let Ok(description) = Document::parse(description) else {

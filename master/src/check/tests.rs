@@ -46,7 +46,7 @@ fn findings(from: &str, to: &str) -> Vec<Finding> {
 /// For each rule: what to replace by what, and a part of the sentence that must come.
 #[rustfmt::skip]
 const BREACHES: &[(&str, &str, &str, &str)] = &[
-    ("elements-as-in-schema", "<TypeDefinitions>", "<Odd/><TypeDefinitions>", "<Odd> has no place"),
+    ("elements-as-in-schema", "<TypeDefinitions>", "<Odd/><TypeDefinitions>", "<Odd> cannot stand"),
     ("elements-as-in-schema", "<BaseUnit m=\"1\" s=\"-1\"/>", "<BaseUnit/><BaseUnit/>", "only one"),
     ("elements-as-in-schema", "<String start=\"\"/>", "", "lacks <Real> or <Integer>"),
     ("attributes-as-in-schema", "guid=\"{1}\" ", "", "lacks the attribute `guid`"),
@@ -112,9 +112,9 @@ fn each_breach_is_found_by_its_rule_with_the_line() {
         let own = findings.iter().find(|f| f.rule == rule && f.sentence.contains(part));
         let own = own.unwrap_or_else(|| panic!("{rule}: {part}: {findings:#?}"));
         let line = GOOD[..GOOD.find(from).expect("checked")].matches('\n').count() + 1;
-        let found: usize = own.place.rsplit(':').next().unwrap().parse().unwrap();
+        let found: usize = own.location.rsplit(':').next().unwrap().parse().unwrap();
         // An element that lacks something is named where it begins.
-        assert!(found <= line + 1, "{rule}: {}", own.place);
+        assert!(found <= line + 1, "{rule}: {}", own.location);
     }
 }
 
@@ -146,5 +146,5 @@ fn what_is_not_xml_is_said_with_its_line() {
     let findings = check_description("<fmiModelDescription>\n<a>\n</fmiModelDescription>");
     assert_eq!(findings.len(), 1);
     assert_eq!(findings[0].rule, "xml-is-well-formed");
-    assert_eq!(findings[0].place, "modelDescription.xml:3");
+    assert_eq!(findings[0].location, "modelDescription.xml:3");
 }

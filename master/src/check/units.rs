@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::description::{Description, Element, KINDS, child, children, number};
-use super::{Breaches, Rule, Severity};
+use super::rule::{Breaches, Rule, Severity};
 
 pub const RULES: &[Rule] = &[
     Rule {

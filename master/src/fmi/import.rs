@@ -8,9 +8,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
 use super::binding::Functions;
+use super::origins::Origins;
 use crate::files::archive::{self, ArchiveError};
 use crate::interface::{Interface, InterfaceError};
-use crate::train::resources::Origins;
 
 /// Characters that a file URI must not hold as they are.
 const NOT_IN_URI: &AsciiSet = &CONTROLS
@@ -97,7 +97,7 @@ pub struct Import {
     /// What the resources are copies of.
     origins: Origins,
     /// Whether an instance has returned `fmi2Fatal`, after which no function may be called.
-    lost: AtomicBool,
+    fatal: AtomicBool,
 }
 
 impl Import {
@@ -126,8 +126,8 @@ impl Import {
         let functions = Functions::load(&folder.path().join(&binary)).map_err(|source| {
             ImportError::Binary { file: file.clone(), binary: binary.display().to_string(), source }
         })?;
-        let lost = AtomicBool::new(false);
-        Ok(Arc::new(Self { file, interface, functions, folder, origins, lost }))
+        let fatal = AtomicBool::new(false);
+        Ok(Arc::new(Self { file, interface, functions, folder, origins, fatal }))
     }
 
     /// What the model description says.
@@ -141,13 +141,13 @@ impl Import {
     }
 
     /// Notes that an instance has returned `fmi2Fatal`.
-    pub(super) fn lose(&self) {
-        self.lost.store(true, Ordering::Relaxed);
+    pub(super) fn mark_fatal(&self) {
+        self.fatal.store(true, Ordering::Relaxed);
     }
 
     /// Whether an instance has returned `fmi2Fatal`.
-    pub(super) fn is_lost(&self) -> bool {
-        self.lost.load(Ordering::Relaxed)
+    pub(super) fn is_fatal(&self) -> bool {
+        self.fatal.load(Ordering::Relaxed)
     }
 
     /// What `fmi2GetVersion` and `fmi2GetTypesPlatform` answer.

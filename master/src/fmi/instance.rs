@@ -3,16 +3,19 @@
 use std::ffi::{CStr, CString};
 use std::sync::Arc;
 
-use super::binding::{self, Component, FATAL, Functions, OK, Status, WARNING};
+use super::binding::{self, Component, FATAL, FmuState, Functions, OK, Status, WARNING};
 use super::callbacks::{Messages, callbacks};
 use super::crash::calling;
 use super::import::Import;
-use super::step::StateSlot;
 use crate::interface::VariableType;
 use crate::system::unit::UnitError;
 
 /// `fmi2CoSimulation` of `fmi2Type`.
 const CO_SIMULATION: i32 = 1;
+
+/// The state of an instance before a step.
+#[derive(Default)]
+pub(super) struct StateSlot(pub(super) Option<FmuState>);
 
 /// One instance of an FMU.
 pub struct FmuInstance {
@@ -107,7 +110,7 @@ impl FmuInstance {
         function: impl FnOnce(&Functions, Component) -> Status,
         detail: impl FnOnce(&Self) -> String,
     ) -> Result<Status, UnitError> {
-        if self.component_is_lost() {
+        if self.component_is_fatal() {
             let action = format!("{}{} after fmi2Fatal", name.to_string_lossy(), detail(self));
             return Err(self.error(action, None));
         }
@@ -145,14 +148,14 @@ impl FmuInstance {
         let error = self.error(action, Some(status));
         if status == FATAL {
             // No function of any instance of the FMU may be called any more (§2.1.3).
-            self.import.lose();
+            self.import.mark_fatal();
         }
         error
     }
 
     /// Whether the FMU has failed for good.
-    pub(super) fn component_is_lost(&self) -> bool {
-        self.component.is_null() || self.import.is_lost()
+    pub(super) fn component_is_fatal(&self) -> bool {
+        self.component.is_null() || self.import.is_fatal()
     }
 
     /// Keeps a warning that the FMU returned without a message.
@@ -177,7 +180,7 @@ impl FmuInstance {
 impl Drop for FmuInstance {
     fn drop(&mut self) {
         self.free_state();
-        if !self.component_is_lost() {
+        if !self.component_is_fatal() {
             let (functions, component) = (&self.import.functions, self.component);
             calling(&self.label, c"fmi2FreeInstance", || {
                 // SAFETY: the instance is alive and never used again.

@@ -7,12 +7,13 @@
 //! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
+//! | `origins.rs` | what its resources are copies of |
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
 //! | `step.rs` | the step, and what each status of it means |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
 //!
-//! This is the only place in the master with `unsafe` code.
+//! This is the only part of the master with `unsafe` code.
 
 #![allow(unsafe_code)]
 
@@ -23,6 +24,7 @@ mod describe;
 mod documentation;
 mod import;
 mod instance;
+mod origins;
 pub mod pack;
 mod step;
 mod unit;
@@ -32,3 +34,4 @@ pub use crash::watch as watch_crashes;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;
+pub use origins::Origins;

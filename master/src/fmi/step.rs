@@ -24,10 +24,6 @@ enum Outcome {
     Discarded,
 }
 
-/// The state of an instance before a step.
-#[derive(Default)]
-pub(super) struct StateSlot(pub(super) Option<FmuState>);
-
 impl FmuInstance {
     /// Takes the instance from `time` over `length`, s. A step that the FMU discards is done in
     /// parts if that was asked for and the FMU allows it.
@@ -178,7 +174,7 @@ impl FmuInstance {
     /// Gives the saved state back to the FMU.
     pub(super) fn free_state(&mut self) {
         if let Some(mut state) = self.slot.0.take()
-            && !self.component_is_lost()
+            && !self.component_is_fatal()
         {
             // SAFETY: the state is one that this FMU gave, and it is not used again.
             let _ = self.status_of(

@@ -3,53 +3,16 @@
 use std::path::Path;
 
 use field::{FieldError, FieldReader};
-use serde::Deserialize;
 
-use super::ReportError;
 use super::data::{Curve, RailField, ReportData, Snapshot, VehicleSeries};
+use super::error::ReportError;
 use super::facts::{EnergyLine, RunFacts};
+use super::results::Results;
 use super::{main_figures, rail_figures};
-use crate::files::file_error::read_toml;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Column of the train in which the notch stands.
 const NOTCH: &str = "driver.in_force.notch";
-
-/// The part of the manifest that the report needs; the others are for people.
-#[derive(Deserialize)]
-struct Manifest {
-    run: RunFacts,
-}
-
-/// The results of a run, opened.
-pub(super) struct Results {
-    /// Facts of the run.
-    pub facts: RunFacts,
-    /// What train and rail say of themselves.
-    pub train: SeriesReader,
-    /// The vehicles.
-    pub vehicles: SeriesReader,
-    /// Further outputs of vehicles, if any are recorded.
-    pub outputs: Option<SeriesReader>,
-}
-
-impl Results {
-    /// Opens `manifest.toml` and `series/` in `folder`.
-    pub fn open(folder: &Path) -> Result<Self, ReportError> {
-        let series = folder.join("series");
-        let facts = read_toml::<Manifest>(&folder.join("manifest.toml"))?.run;
-        let outputs = match facts.outputs.is_empty() || facts.train_alone {
-            true => None,
-            false => Some(SeriesReader::open(&series, "outputs")?),
-        };
-        Ok(Self {
-            facts,
-            outputs,
-            train: SeriesReader::open(&series, "train")?,
-            vehicles: SeriesReader::open(&series, "vehicles")?,
-        })
-    }
-}
 
 /// Reads the results of the run in `folder`.
 ///
@@ -76,8 +39,8 @@ pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
             }
         }
     }
-    let plotted = facts.plotted.iter().filter(|&&place| (1..=facts.vehicles).contains(&place));
-    let plotted = plotted.map(|&place| vehicle(vehicles, facts, place));
+    let plotted = facts.plotted.iter().filter(|number| (1..=facts.vehicles).contains(number));
+    let plotted = plotted.map(|&number| vehicle(vehicles, facts, number));
     Ok(ReportData {
         main_figures: main_figures::of_run(&results)?,
         energy: energy(facts, train),
@@ -106,14 +69,11 @@ fn energy(facts: &RunFacts, train: &SeriesReader) -> Vec<EnergyLine> {
 fn vehicle(
     vehicles: &SeriesReader,
     facts: &RunFacts,
-    place: usize,
+    number: usize,
 ) -> Result<VehicleSeries, RecordingError> {
-    let number = i32::try_from(place).unwrap_or(i32::MAX);
+    let key = KeyValue::Integer(i32::try_from(number).unwrap_or(i32::MAX));
     let curve = |column: &str| {
-        let read = |suffix: &str| {
-            let key = [("vehicle", KeyValue::Integer(number))];
-            vehicles.read(&format!("{column}{suffix}"), &key)
-        };
+        let read = |suffix: &str| vehicles.read(&format!("{column}{suffix}"), &[("vehicle", key)]);
         Ok::<_, RecordingError>(Curve {
             value: read("")?,
             lowest: read("_min")?,
@@ -121,8 +81,8 @@ fn vehicle(
         })
     };
     Ok(VehicleSeries {
-        place,
-        locomotive: facts.locomotives.contains(&place),
+        number,
+        locomotive: facts.locomotives.contains(&number),
         coupler_force: curve("coupler_rear_force")?,
         creep_force: curve("creep_force")?,
         sync_force: curve("sync_force")?,
@@ -130,7 +90,7 @@ fn vehicle(
     })
 }
 
-/// The field at the wanted times, each with the places of the vehicles at that time.
+/// The field at the wanted times, each with the positions of the vehicles at that time.
 ///
 /// `positions` holds the vehicles' positions record by record; none stands there after the run. A
 /// wanted time that the field has not reached is left out, as is one that falls on the same

@@ -47,7 +47,8 @@ pub struct MainFigure {
     /// The value with its unit as people read it.
     pub text: String,
     /// Where and when, in words.
-    pub place: String,
+    #[serde(rename = "place")]
+    pub location: String,
     /// Where on the track, m.
     pub chainage_m: Option<f64>,
     /// When, s.
@@ -63,28 +64,28 @@ impl MainFigure {
             value: Some(value),
             unit: unit.to_owned(),
             text: with_unit(value, unit),
-            place: String::new(),
+            location: String::new(),
             chainage_m: None,
             time_s: None,
         }
     }
 
     /// Whether it is worth a line on the terminal: heat by source is for the report and programs.
-    pub fn is_told(&self) -> bool {
+    pub fn is_shown(&self) -> bool {
         !self.key.contains(".heat.")
     }
 
     /// The figure with words for where and when.
     #[must_use]
-    pub fn at(self, place: impl Into<String>) -> Self {
-        Self { place: place.into(), ..self }
+    pub fn at(self, location: impl Into<String>) -> Self {
+        Self { location: location.into(), ..self }
     }
 
-    /// The figure with its place on the track and its time.
+    /// The figure with its chainage and its time.
     #[must_use]
     pub fn on_track(self, chainage_m: f64, time_s: f64) -> Self {
-        let place = format!("chainage {chainage_m:.1} m at {} s", seconds(time_s));
-        Self { chainage_m: Some(chainage_m), time_s: Some(time_s), ..self.at(place) }
+        let location = format!("chainage {chainage_m:.1} m at {} s", seconds(time_s));
+        Self { chainage_m: Some(chainage_m), time_s: Some(time_s), ..self.at(location) }
     }
 }
 
@@ -116,11 +117,11 @@ pub struct Foot {
     pub under_train: Vec<f64>,
 }
 
-/// Heat per metre of rail by source, at a place.
+/// Heat per metre of rail by source at a probe, or in the mean.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatAt {
-    /// The place in words.
-    pub place: String,
+    /// Where, in words.
+    pub location: String,
     /// Heat of each of [`super::rail_figures::SOURCES`], J/m.
     pub sources: Vec<f64>,
 }
@@ -128,8 +129,8 @@ pub struct HeatAt {
 /// The series of a plotted vehicle at the times of the records.
 #[derive(Debug, Clone, Default)]
 pub struct VehicleSeries {
-    /// Place in the train, from 1.
-    pub place: usize,
+    /// Number in the train, from 1.
+    pub number: usize,
     /// Whether it has traction.
     pub locomotive: bool,
     /// Force in the rear coupler, N, tension positive.

@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use serde::Serialize;
 
-use super::ReportError;
 use super::data::{Curve, Foot, RailData, RailField, ReportData, VehicleSeries};
+use super::error::ReportError;
 use super::facts::RailFacts;
 use super::heat_by_source;
 use super::line_chart::LineChart;
@@ -87,7 +87,7 @@ fn motion_figure(data: &ReportData) -> Result<Figure, ReportError> {
     let chart = LineChart {
         title: "Speed",
         horizontal: "Time in s",
-        places: &data.time,
+        abscissa: &data.time,
         quantity: "Speed in m/s",
         unit: "",
         height: 460,
@@ -136,7 +136,7 @@ fn vehicle_figure(
         let chart = LineChart {
             title,
             horizontal: "Time in s",
-            places: &data.time,
+            abscissa: &data.time,
             quantity,
             unit,
             height: 460,
@@ -144,7 +144,7 @@ fn vehicle_figure(
             first_colour,
             steps: false,
         };
-        let labels = vehicles.iter().map(|vehicle| format!("vehicle {}", vehicle.place));
+        let labels = vehicles.iter().map(|vehicle| format!("vehicle {}", vehicle.number));
         panels.push(Panel { name, legend: legend(labels, first_colour), svg: chart.svg()? });
     }
     Ok(Figure { title: title.into(), caption: caption.into(), panels })
@@ -165,11 +165,11 @@ pub(super) fn foot(rails: &[RailData], facts: &RailFacts) -> Result<Option<Figur
             feet.iter().map(|(_, foot)| Curve::plain(quantity(foot)[..count].to_vec())).collect();
         let highest = curves.iter().flat_map(|curve| &curve.value).fold(0.0_f64, |a, b| a.max(*b));
         let is_near = facts.detection_threshold_k < NEAR * highest;
-        let places: Vec<f64> = first.time[..count].iter().map(|time| time / unit.1).collect();
+        let abscissa: Vec<f64> = first.time[..count].iter().map(|time| time / unit.1).collect();
         let chart = LineChart {
             title: "Rise of the foot",
             horizontal: &format!("Time in {}", unit.0),
-            places: &places,
+            abscissa: &abscissa,
             quantity: "Rise",
             unit: "K",
             height: 460,
@@ -230,7 +230,7 @@ pub(super) fn surface(
     let chart = LineChart {
         title: "Surface rise along the track",
         horizontal: "Chainage in m",
-        places: &field.chainage[elements.clone()],
+        abscissa: &field.chainage[elements.clone()],
         quantity: "Rise",
         unit: "K",
         height: 460,

@@ -7,8 +7,8 @@ use plotters::element::Rectangle;
 use plotters::prelude::{ChartBuilder, Color, IntoDrawingArea, IntoFont, RGBColor, SVGBackend};
 use plotters::series::{DashedLineSeries, LineSeries};
 
-use super::ReportError;
 use super::data::{RailField, Snapshot};
+use super::error::ReportError;
 use super::line_chart::{BELOW, FONT, INK, LEFT, MARGIN, WIDTH};
 use super::palette::{self, HeatScale};
 use super::quantity::tick;
@@ -115,7 +115,7 @@ impl HeatMaps<'_> {
         }
     }
 
-    /// Draws axes and strips; gives the corners of the place for the picture.
+    /// Draws axes and strips; gives the corners of the area for the picture.
     ///
     /// Depth counts downwards, so that the vertical axis shows the depth less its sign.
     fn draw_axes<'svg>(
@@ -144,14 +144,14 @@ impl HeatMaps<'_> {
             .y_label_formatter(&|y| if *y > 0.0 { String::new() } else { tick(-y, bottom) })
             .draw()?;
 
-        let strip = |places: [f64; 2], from: f64, to: f64, colour: RGBColor| {
-            let [begin, end] = places.map(|place| place.clamp(chainages.start, chainages.end));
+        let strip = |ends: [f64; 2], from: f64, to: f64, colour: RGBColor| {
+            let [begin, end] = ends.map(|end| end.clamp(chainages.start, chainages.end));
             Rectangle::new([(begin, from * bottom), (end, to * bottom)], colour.filled())
         };
         let curves = self.curves.iter();
         chart.draw_series(curves.map(|&curve| strip(curve, 0.02, 0.07, CURVE)))?;
         let train = train_strip(snapshot, self.locomotives);
-        chart.draw_series(train.map(|(places, colour)| strip(places, 0.10, 0.16, colour)))?;
+        chart.draw_series(train.map(|(ends, colour)| strip(ends, 0.10, 0.16, colour)))?;
 
         let across = |depth: f64| [(chainages.start, depth), (chainages.end, depth)];
         chart.draw_series(LineSeries::new(across(0.0), INK.stroke_width(2)))?;
@@ -222,7 +222,7 @@ fn train_strip(
     let around = move |tail: f64, head: f64| [tail - half, head + half];
     let train = vehicles.first().zip(vehicles.last());
     let train = train.map(|(&head, &tail)| (around(tail, head), TRAIN));
-    let locomotives = locomotives.iter().filter_map(|place| vehicles.get(place.checked_sub(1)?));
+    let locomotives = locomotives.iter().filter_map(|number| vehicles.get(number.checked_sub(1)?));
     let locomotives = locomotives.map(move |&middle| (around(middle, middle), LOCOMOTIVE));
     train.into_iter().chain(locomotives)
 }

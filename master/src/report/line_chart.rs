@@ -9,8 +9,8 @@ use plotters::element::Polygon;
 use plotters::prelude::{ChartBuilder, Color, IntoDrawingArea, RGBColor, SVGBackend, WHITE};
 use plotters::series::LineSeries;
 
-use super::ReportError;
 use super::data::Curve;
+use super::error::ReportError;
 use super::palette;
 use super::quantity::{Prefix, tick};
 
@@ -31,14 +31,14 @@ const GRID: RGBColor = RGBColor(225, 225, 225);
 /// A curve has no more points than this; more would not show.
 const MOST_POINTS: usize = 800;
 
-/// A drawing of one or more curves over the same places.
+/// A drawing of one or more curves over the same abscissa.
 pub(super) struct LineChart<'a> {
     /// What it shows.
     pub title: &'a str,
     /// Name and unit of the horizontal axis.
     pub horizontal: &'a str,
     /// Where the values lie on the horizontal axis.
-    pub places: &'a [f64],
+    pub abscissa: &'a [f64],
     /// Name of the vertical axis.
     pub quantity: &'a str,
     /// SI unit of the values; the axis gets a prefix. Empty for a plain number.
@@ -49,7 +49,7 @@ pub(super) struct LineChart<'a> {
     pub curves: Vec<&'a Curve>,
     /// Number of the first curve's colour.
     pub first_colour: usize,
-    /// Whether values hold until the next place, as a notch does.
+    /// Whether values hold until the next abscissa, as a notch does.
     pub steps: bool,
 }
 
@@ -99,9 +99,9 @@ impl LineChart<'_> {
             .draw()?;
         for (index, curve) in self.curves.iter().enumerate() {
             let colour = palette::line(self.first_colour + index);
-            let thin = thinned(self.places, curve, prefix.factor);
-            let band = thin.iter().map(|point| (point.place, point.highest));
-            let back = thin.iter().rev().map(|point| (point.place, point.lowest));
+            let thin = thinned(self.abscissa, curve, prefix.factor);
+            let band = thin.iter().map(|point| (point.abscissa, point.highest));
+            let back = thin.iter().rev().map(|point| (point.abscissa, point.lowest));
             let outline: Vec<(f64, f64)> = band.chain(back).collect();
             if thin.iter().any(|point| point.highest > point.lowest) {
                 chart.draw_series([Polygon::new(outline, colour.mix(0.25).filled())])?;
@@ -126,7 +126,7 @@ impl LineChart<'_> {
     }
 
     fn horizontal_range(&self) -> Range<f64> {
-        match (self.places.first(), self.places.last()) {
+        match (self.abscissa.first(), self.abscissa.last()) {
             (Some(&first), Some(&last)) if first < last => first..last,
             (Some(&first), _) => first..first + 1.0,
             _ => 0.0..1.0,
@@ -138,9 +138,9 @@ impl LineChart<'_> {
         let mut line: Vec<(f64, f64)> = vec![];
         for point in thin {
             if let (true, Some(&(_, before))) = (self.steps, line.last()) {
-                line.push((point.place, before));
+                line.push((point.abscissa, before));
             }
-            line.push((point.place, point.value));
+            line.push((point.abscissa, point.value));
         }
         line
     }
@@ -148,7 +148,7 @@ impl LineChart<'_> {
 
 /// A point of a thinned curve.
 struct Point {
-    place: f64,
+    abscissa: f64,
     value: f64,
     lowest: f64,
     highest: f64,
@@ -156,16 +156,16 @@ struct Point {
 
 /// A curve with so few points that all of them show: the extremes hold what lies between them.
 /// Points that are not numbers are left out.
-fn thinned(places: &[f64], curve: &Curve, factor: f64) -> Vec<Point> {
-    let size = places.len().div_ceil(MOST_POINTS).max(1);
-    let count = places.len().min(curve.value.len());
+fn thinned(abscissa: &[f64], curve: &Curve, factor: f64) -> Vec<Point> {
+    let size = abscissa.len().div_ceil(MOST_POINTS).max(1);
+    let count = abscissa.len().min(curve.value.len());
     let bins = (0..count).step_by(size);
     bins.map(|begin| {
         let bin = begin..(begin + size).min(count);
         let lowest = curve.lowest[bin.clone()].iter().copied().fold(f64::NAN, f64::min);
         let highest = curve.highest[bin.clone()].iter().copied().fold(f64::NAN, f64::max);
         Point {
-            place: places[bin.end - 1],
+            abscissa: abscissa[bin.end - 1],
             value: curve.value[bin.end - 1] / factor,
             lowest: lowest / factor,
             highest: highest / factor,
@@ -192,14 +192,14 @@ mod tests {
 
     #[test]
     fn property_thinning_keeps_the_extremes() {
-        let places: Vec<f64> = (0..100_000).map(f64::from).collect();
-        let mut value = vec![0.0; places.len()];
+        let abscissa: Vec<f64> = (0..100_000).map(f64::from).collect();
+        let mut value = vec![0.0; abscissa.len()];
         (value[777], value[54_321]) = (5.0, -7.0);
-        let thin = thinned(&places, &Curve::plain(value), 1.0);
+        let thin = thinned(&abscissa, &Curve::plain(value), 1.0);
         assert!(thin.len() <= MOST_POINTS);
         assert_eq!(thin.iter().map(|point| point.highest).fold(0.0, f64::max), 5.0);
         assert_eq!(thin.iter().map(|point| point.lowest).fold(0.0, f64::min), -7.0);
-        assert_eq!(thin.last().unwrap().place, 99_999.0);
+        assert_eq!(thin.last().unwrap().abscissa, 99_999.0);
     }
 
     #[test]

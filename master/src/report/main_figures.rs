@@ -1,11 +1,11 @@
 //! The table of main figures.
 
-use super::ReportError;
-use super::collect::Results;
 use super::data::MainFigure;
+use super::error::ReportError;
 use super::facts::RunFacts;
 use super::output_figures;
 use super::quantity::{seconds, with_unit};
+use super::results::Results;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// The extremes of the vehicles that are worth a line: key, name, column, unit, and which extreme.
@@ -111,12 +111,12 @@ fn of_vehicles(
     let Some(row) = largest(&values) else { return Ok(None) };
     let vehicle = vehicles.read("vehicle", &[])?[row];
     let time = vehicles.read("time", &[])?[row];
-    let place = match column {
+    let location = match column {
         "coupler_rear_force" => "rear coupler of vehicle",
         _ => "vehicle",
     };
     let figure = MainFigure::new(key, name, values[row], unit);
-    let figure = figure.at(format!("{place} {vehicle} at {} s", seconds(time)));
+    let figure = figure.at(format!("{location} {vehicle} at {} s", seconds(time)));
     Ok(Some(MainFigure { time_s: Some(time), ..figure }))
 }
 
@@ -128,7 +128,7 @@ fn speed_of_run(
     let Some(wall_time) = facts.wall_time_s else { return Ok(None) };
     let time = train.read("time", &[])?;
     let simulated = time.last().copied().unwrap_or(0.0) - time.first().copied().unwrap_or(0.0);
-    let place = format!(
+    let location = format!(
         "{:.2} times real time; {} vehicles, {} threads, step {}",
         simulated / wall_time,
         facts.vehicles,
@@ -136,10 +136,10 @@ fn speed_of_run(
         with_unit(facts.step_s, "s"),
     );
     let figure = MainFigure::new("wall_time", "Wall time", wall_time, "s");
-    Ok(Some(MainFigure { text: format!("{wall_time:.1} s"), ..figure }.at(place)))
+    Ok(Some(MainFigure { text: format!("{wall_time:.1} s"), ..figure }.at(location)))
 }
 
-/// The first place of the value that is farthest from zero.
+/// The first index of the value that is farthest from zero.
 pub(super) fn largest(values: &[f64]) -> Option<usize> {
     let mut best: Option<usize> = None;
     for (row, value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {

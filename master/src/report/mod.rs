@@ -5,7 +5,8 @@
 //! |---|---|
 //! | `data.rs` | what the report shows |
 //! | `facts.rs` | what the run itself adds to the results: the part `[run]` of the manifest |
-//! | `collect.rs` | reads it from the folder of a run |
+//! | `results.rs` | the results of a run, opened |
+//! | `collect.rs` | reads from them what the report shows |
 //! | `main_figures.rs` | the table of main figures |
 //! | `output_figures.rs` | what the run says of further outputs that were recorded |
 //! | `rail_figures.rs` | what the run says of each rail |
@@ -18,11 +19,13 @@
 //! | `page.rs` | the page, from `templates/report.html` |
 //! | `system.rs` | the page of a system of which nothing is known but its variables |
 //! | `write.rs` | all of it: from a results folder to `report.html` |
+//! | `error.rs` | why a report cannot be made |
 //!
 //! The page refers to nothing outside itself: drawings are inline SVG, pictures are data URIs.
 
 mod collect;
 mod data;
+mod error;
 mod facts;
 mod figures;
 mod heat_by_source;
@@ -34,6 +37,7 @@ mod page;
 mod palette;
 mod quantity;
 mod rail_figures;
+mod results;
 mod system;
 mod write;
 
@@ -44,34 +48,8 @@ mod system_tests;
 #[cfg(test)]
 mod tests;
 
-use crate::files::file_error::FileError;
-use crate::recording::RecordingError;
-
-use collect::collect;
 pub use data::MainFigure;
+pub use error::ReportError;
 pub use facts::{EnergyLine, RailFacts, RunFacts};
-use page::render;
 pub use system::{ComponentFacts, SystemFacts};
 pub use write::write;
-
-/// Why a report cannot be made.
-#[derive(Debug, thiserror::Error)]
-pub enum ReportError {
-    /// A series cannot be read.
-    #[error(transparent)]
-    Series(#[from] RecordingError),
-    /// A file cannot be read or written, or the manifest is not what a run writes.
-    #[error(transparent)]
-    File(#[from] FileError),
-    /// A figure cannot be drawn.
-    #[error("figure \"{figure}\": {reason}")]
-    Drawing {
-        /// Its title.
-        figure: String,
-        /// Reason.
-        reason: String,
-    },
-    /// The page cannot be made from its template.
-    #[error("report page: {0}")]
-    Page(#[from] minijinja::Error),
-}

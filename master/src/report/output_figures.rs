@@ -18,7 +18,7 @@ struct Means {
     values: Vec<f64>,
 }
 
-/// A value with the place where it is found among the means.
+/// A value with the mean and the record where it stands.
 struct Found<'m> {
     value: f64,
     of: &'m Means,
@@ -57,15 +57,15 @@ fn figure(pattern: &str, key: &str, word: &str, found: &Found<'_>, time: &[f64])
     if unit == "1" {
         figure.text = format!("{:.3}", found.value);
     }
-    let place = format!("{output} of vehicle {vehicle}");
+    let location = format!("{output} of vehicle {vehicle}");
     // The table has a row for each vehicle at each record.
     let rows = time.len() / found.of.values.len().max(1);
     match found.record.map(|record| time[record * rows]) {
         Some(at) => {
-            let figure = figure.at(format!("{place} at {} s", seconds(at)));
+            let figure = figure.at(format!("{location} at {} s", seconds(at)));
             MainFigure { time_s: Some(at), ..figure }
         }
-        None => figure.at(place),
+        None => figure.at(location),
     }
 }
 
@@ -157,8 +157,8 @@ mod tests {
         for (value, expected) in values.iter().zip([4.0, -6.0, 6.0_f64.sqrt()]) {
             assert!((value - expected).abs() < 1e-12, "{value}, expected {expected}");
         }
-        assert_eq!(figures[0].place, "a.force of vehicle 1 at 0.2 s");
+        assert_eq!(figures[0].location, "a.force of vehicle 1 at 0.2 s");
         assert_eq!(figures[1].time_s, Some(0.2));
-        assert_eq!(figures[2].place, "a.force of vehicle 3");
+        assert_eq!(figures[2].location, "a.force of vehicle 3");
     }
 }

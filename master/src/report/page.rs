@@ -4,8 +4,8 @@ use minijinja::Environment;
 use minijinja::value::Serde;
 use serde::Serialize;
 
-use super::ReportError;
 use super::data::{MainFigure, RailData, ReportData};
+use super::error::ReportError;
 use super::facts::RunFacts;
 use super::figures::{self, Figure};
 use super::heat_map::{HeatMap, HeatMaps, warm_elements};
@@ -45,11 +45,11 @@ struct RailTable<'a> {
     rows: Vec<(&'a str, Vec<Cell<'a>>)>,
 }
 
-/// A value with its place.
+/// A value with its location.
 #[derive(Serialize)]
 struct Cell<'a> {
     value: String,
-    place: &'a str,
+    location: &'a str,
 }
 
 /// The heat maps with their colour bar.
@@ -124,12 +124,13 @@ fn rail_tables(rails: &[RailData]) -> Vec<RailTable<'_>> {
     let Some(first) = rails.first() else { return vec![] };
     let figure = |row: usize| {
         let figures = rails.iter().map(|rail| &rail.figures[row]);
-        let cells = figures.map(|figure| Cell { value: figure.text.clone(), place: &figure.place });
+        let cells =
+            figures.map(|figure| Cell { value: figure.text.clone(), location: &figure.location });
         (first.figures[row].name.as_str(), cells.collect())
     };
     let energy = |row: usize| {
         let energies = rails.iter().map(|rail| rail.energy[row].joules);
-        let cells = energies.map(|energy| Cell { value: with_unit(energy, "J"), place: "" });
+        let cells = energies.map(|energy| Cell { value: with_unit(energy, "J"), location: "" });
         (first.energy[row].name.as_str(), cells.collect())
     };
     vec![

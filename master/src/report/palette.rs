@@ -31,10 +31,10 @@ pub(super) fn line(index: usize) -> RGBColor {
 
 /// The colour of heat at `share` of the scale, 0 to 1.
 pub(super) fn heat(share: f64) -> RGBColor {
-    let place = share.clamp(0.0, 1.0) * (HEAT.len() - 1) as f64;
-    let before = (place as usize).min(HEAT.len() - 2);
+    let position = share.clamp(0.0, 1.0) * (HEAT.len() - 1) as f64;
+    let before = (position as usize).min(HEAT.len() - 2);
     let (from, to) = (HEAT[before], HEAT[before + 1]);
-    let weight = place - before as f64;
+    let weight = position - before as f64;
     let mix = |from: u8, to: u8| {
         (f64::from(from) + weight * (f64::from(to) - f64::from(from))).round() as u8
     };

@@ -3,8 +3,8 @@
 
 use std::path::Path;
 
-use super::ReportError;
 use super::data::{Foot, HeatAt, MainFigure, RailData};
+use super::error::ReportError;
 use super::facts::{EnergyLine, RailFacts};
 use super::main_figures::largest;
 use super::quantity::{round_with_unit, seconds, with_unit};
@@ -185,8 +185,9 @@ impl RailSeries<'_> {
         let figure = self.figure("camera.track_side", name, foot.highest[record], KELVIN);
         let figure = figure.on_track(chainage, foot.time[record]);
         let later = (foot.time[record] - facts.last_train_end_s) / 60.0;
-        let place = format!("{}, {later:.1} min after the run of the last train", figure.place);
-        Ok(figure.at(place))
+        let location =
+            format!("{}, {later:.1} min after the run of the last train", figure.location);
+        Ok(figure.at(location))
     }
 
     /// Heat per metre by source at the probes, and its mean over the modelled rail.
@@ -194,19 +195,19 @@ impl RailSeries<'_> {
         if facts.model == "paper" || !self.has("energy.friction") {
             return Ok(vec![]);
         }
-        let at = |place: String, column: &dyn Fn(&str) -> String, metres: f64| {
+        let at = |location: String, column: &dyn Fn(&str) -> String, metres: f64| {
             let source = |&(source, _): &(&str, &str)| Ok(self.last(&column(source))? / metres);
             let sources = SOURCES.iter().map(source).collect::<Result<_, RecordingError>>()?;
-            Ok::<_, RecordingError>(HeatAt { place, sources })
+            Ok::<_, RecordingError>(HeatAt { location, sources })
         };
-        let mut places = vec![];
+        let mut all = vec![];
         for (probe, chainage) in self.probes().enumerate() {
             let column = |source: &str| format!("probe[{}].heat.{source}", probe + 1);
-            places.push(at(chainage, &column, 1.0)?);
+            all.push(at(chainage, &column, 1.0)?);
         }
         let column = |source: &str| format!("energy.{source}");
-        places.push(at("mean of the modelled rail".to_owned(), &column, facts.length_m)?);
-        Ok(places)
+        all.push(at("mean of the modelled rail".to_owned(), &column, facts.length_m)?);
+        Ok(all)
     }
 
     /// The probes' chainages in words, from the descriptions of their heat.
@@ -215,7 +216,7 @@ impl RailSeries<'_> {
         let of_probe =
             heat.filter(|(column, _)| column.starts_with("probe[") && column.ends_with("].heat"));
         of_probe.map(|(_, description)| match description.rsplit_once(" at ") {
-            Some((_, place)) => place.to_owned(),
+            Some((_, chainage)) => chainage.to_owned(),
             None => description.to_owned(),
         })
     }
@@ -239,10 +240,10 @@ pub(super) fn listed(rail: &RailData) -> impl Iterator<Item = MainFigure> {
 /// Heat per metre as figures for programs.
 fn heat_figures(rail: &RailData) -> Vec<MainFigure> {
     let side = &rail.side;
-    let figures = rail.heat.iter().flat_map(|HeatAt { place, sources }| {
+    let figures = rail.heat.iter().flat_map(|HeatAt { location, sources }| {
         SOURCES.iter().zip(sources).map(move |(&(source, words), &heat)| {
-            let key = format!("{side}.heat.{source}.{}", place.replace(' ', "_"));
-            let name = format!("Heat per metre by {words}, {place}");
+            let key = format!("{side}.heat.{source}.{}", location.replace(' ', "_"));
+            let name = format!("Heat per metre by {words}, {location}");
             MainFigure { text: with_unit(heat, "J/m"), ..MainFigure::new(key, name, heat, "J/m") }
         })
     });

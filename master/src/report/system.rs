@@ -5,8 +5,8 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::ReportError;
 use super::data::Curve;
+use super::error::ReportError;
 use super::figures::{Figure, Panel, legend};
 use super::line_chart::LineChart;
 use super::page::fill;
@@ -136,7 +136,7 @@ fn figure(
         let chart = LineChart {
             title: &component.name,
             horizontal: "Time in s",
-            places: &time,
+            abscissa: &time,
             quantity: &quantity,
             unit,
             height: 460,

@@ -1,7 +1,9 @@
 //! The report of an invented run.
 
+use super::collect::collect;
 use super::data::ReportData;
 use super::invented::{SPEED, facts, write_run};
+use super::page::render;
 use super::*;
 
 fn report(facts: &RunFacts) -> (ReportData, String) {
@@ -38,8 +40,8 @@ fn the_page_has_every_section_and_stands_alone() {
     assert!(page.contains("Curve &lt;test&gt; &amp; more"), "the title is escaped");
     assert!(page.contains("wheels &lt;outside&gt; heat nothing"), "the note is shown");
     for attribute in ["src=", "href="] {
-        for place in page.match_indices(attribute) {
-            let target = &page[place.0 + attribute.len() + 1..];
+        for (index, _) in page.match_indices(attribute) {
+            let target = &page[index + attribute.len() + 1..];
             assert!(target.starts_with("data:"), "refers to {}", &target[..40]);
         }
     }
@@ -56,7 +58,7 @@ fn analytic_main_figures_of_an_invented_run() {
     let figure = |name: &str| {
         let found = data.main_figures.iter().find(|figure| figure.name == name);
         let found = found.unwrap_or_else(|| panic!("{name} is missing"));
-        (found.text.as_str(), found.place.as_str())
+        (found.text.as_str(), found.location.as_str())
     };
     assert_eq!(figure("Distance run"), ("300.0 m", "in 20 s"));
     assert_eq!(figure("Speed at the end"), ("15.00 m/s", "change +0.00 m/s"));
@@ -79,7 +81,7 @@ fn analytic_the_answer_on_the_foot_of_each_rail() {
     };
     let surface = figure(0, "left.highest.surface");
     assert_eq!(
-        (surface.text.as_str(), surface.place.as_str()),
+        (surface.text.as_str(), surface.location.as_str()),
         ("1.66 K", "chainage 51.0 m at 3.4 s")
     );
     let highest = figure(0, "left.foot.highest");
@@ -91,8 +93,12 @@ fn analytic_the_answer_on_the_foot_of_each_rail() {
     assert_eq!(figure(1, "right.camera.train").text, "50.0 µK");
     let side = figure(0, "left.camera.track_side");
     assert_eq!((side.text.as_str(), side.time_s), ("24.7 mK", Some(1520.0)));
-    assert!(side.place.ends_with("25.0 min after the run of the last train"), "{}", side.place);
-    assert_eq!(data.rails[1].heat[0].place, "chainage 100 m");
+    assert!(
+        side.location.ends_with("25.0 min after the run of the last train"),
+        "{}",
+        side.location
+    );
+    assert_eq!(data.rails[1].heat[0].location, "chainage 100 m");
     assert_eq!(data.rails[1].heat[1].sources, [10.0, -5.0, 0.5, 0.0], "the mean over 300 m");
     assert_eq!(data.rails[0].energy[1].joules, -3e3);
     assert!(page.contains("chainage 88.0 m at 900 s") && page.contains("never"));
@@ -115,8 +121,8 @@ fn what_a_run_does_not_tell_is_not_made_up() {
 #[test]
 fn what_is_collected_is_what_the_run_has() {
     let (data, _) = report(&facts());
-    let places: Vec<_> = data.vehicles.iter().map(|vehicle| vehicle.place).collect();
-    assert_eq!(places, [1, 2, 3, 10], "a vehicle that the train has not is left out");
+    let numbers: Vec<_> = data.vehicles.iter().map(|vehicle| vehicle.number).collect();
+    assert_eq!(numbers, [1, 2, 3, 10], "a vehicle that the train has not is left out");
     assert_eq!(data.energy[0].name, "Work of traction since the start");
     assert_eq!(data.vehicles[0].coupler_force.value.len(), data.time.len());
     let field = data.rails[0].field.as_ref().unwrap();

@@ -4,10 +4,12 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
+use super::collect::collect;
 use super::data::MainFigure;
+use super::error::ReportError;
+use super::page::render;
 use super::rail_figures::listed;
 use super::system::{self, SystemFacts};
-use super::{ReportError, collect, render};
 use crate::files::file_error::{FileError, read_toml};
 
 /// The part of a manifest that only the run of a system has.

@@ -65,8 +65,8 @@ impl fmt::Display for Finished {
         )?;
         let width =
             self.figures.iter().map(|figure| figure.name.chars().count()).max().unwrap_or(0);
-        for MainFigure { name, text, place, .. } in &self.figures {
-            writeln!(f, "{name:<width$} {text:<14} {place}")?;
+        for MainFigure { name, text, location, .. } in &self.figures {
+            writeln!(f, "{name:<width$} {text:<14} {location}")?;
         }
         for warning in &self.warnings {
             writeln!(f, "warning: {warning}")?;

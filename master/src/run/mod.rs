@@ -70,7 +70,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
         manifest.figure.clone_from(&figures);
         manifest.write(&folders.results)?;
         Ok(Finished {
-            figures: figures.into_iter().filter(MainFigure::is_told).collect(),
+            figures: figures.into_iter().filter(MainFigure::is_shown).collect(),
             report,
             done,
             times: lockstep.times,

@@ -1,30 +1,14 @@
 //! The resources that Hotfoot's own FMUs need for a scenario: what is in the `resources` folder
 //! of each, so that the packed FMUs run in any tool without further files.
-//!
-//! Messages of an FMU name the copies in its resources; [`Origins`] tells what they are copies
-//! of, so that the user reads the names of the files that he wrote.
 
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
 use crate::files::file_error::FileError;
+pub use crate::fmi::Origins;
 use crate::fmi::pack::{PackError, copy_folder, write};
 use crate::scenario::{Heat, Scenario, Value};
-
-/// Names in a resources folder, and the files or folders that they are copies of.
-#[derive(Debug, Clone, Default)]
-pub struct Origins(Vec<(String, PathBuf)>);
-
-impl Origins {
-    /// The message with the names of the originals in place of the copies in `folder`.
-    pub fn rename(&self, message: &str, folder: &Path) -> String {
-        let copy = |name: &str| folder.join(name).display().to_string();
-        self.0.iter().fold(message.to_owned(), |text, (name, original)| {
-            text.replace(&copy(name), &original.display().to_string())
-        })
-    }
-}
 
 /// Writes the resources of the train: consist, driver, track and stock library.
 ///
@@ -42,7 +26,7 @@ pub fn write_longitudinal(scenario: &Scenario, folder: &Path) -> Result<Origins,
         copy_file(file, &folder.join(file.file_name().unwrap_or_default()))?;
     }
     let mut origins = write_track_and_stock(scenario, folder)?;
-    origins.0.push(("driver.toml".to_owned(), scenario.driver.file.clone()));
+    origins.add("driver.toml", &scenario.driver.file);
     Ok(origins)
 }
 
@@ -58,7 +42,7 @@ pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<O
     write(&folder.join("vehicle.toml"), to_toml(&Vehicle { extends: kind }).as_bytes())?;
     let mut origins = write_track_and_stock(scenario, folder)?;
     let original = scenario.stock.join("vehicles").join(kind).with_added_extension("toml");
-    origins.0.push(("vehicle.toml".to_owned(), original));
+    origins.add("vehicle.toml", &original);
     Ok(origins)
 }
 
@@ -91,12 +75,13 @@ pub fn write_railheat(
     };
     write(&folder.join("railheat.toml"), to_toml(&file).as_bytes())?;
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
-    let mut origins = Origins(vec![("track.toml".to_owned(), scenario.track.file.clone())]);
+    let mut origins = Origins::default();
+    origins.add("track.toml", &scenario.track.file);
     for (name, value) in &heat.parameters {
         if let Value::File(original) = value {
             let copy = parameter_file(name, original);
             copy_file(original, &folder.join(&copy))?;
-            origins.0.push((copy.display().to_string(), original.clone()));
+            origins.add(copy.display().to_string(), original);
         }
     }
     Ok(origins)
@@ -104,16 +89,15 @@ pub fn write_railheat(
 
 fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, PackError> {
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
-    let mut origins = Origins(vec![
-        ("track.toml".to_owned(), scenario.track.file.clone()),
-        ("stock".to_owned(), scenario.stock.clone()),
-    ]);
+    let mut origins = Origins::default();
+    origins.add("track.toml", &scenario.track.file);
+    origins.add("stock", &scenario.stock);
     // A track file that cannot be read is answered by the models, with all that is wrong in it.
     let track = track::TrackFile::read(&scenario.track.file);
     if let Some(irregularities) = track.ok().and_then(|track| track.measured()) {
         let name = irregularities.file_name().unwrap_or_default();
         copy_file(&irregularities, &folder.join(name))?;
-        origins.0.push((name.display().to_string(), irregularities));
+        origins.add(name.display().to_string(), &irregularities);
     }
     copy_folder(&scenario.stock, &folder.join("stock"))?;
     Ok(origins)
