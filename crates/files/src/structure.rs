@@ -33,8 +33,9 @@ pub(crate) fn mistake<T: DeserializeOwned>(
             if at.key.is_empty() { message } else { format!("{}: {message}", at.key) }
         });
     // What the whole file lacks has no line of its own.
+    let of_the_whole = at.key.is_empty() && message.starts_with("missing field ");
     match span {
-        Some(span) if span.len() < text.len() => document.mistake(span, sentence),
+        Some(span) if !of_the_whole => document.mistake(span, sentence),
         _ => Mistake::in_file(document.name(), sentence),
     }
 }

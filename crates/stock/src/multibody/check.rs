@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn wrong_values_are_named_with_key_value_and_remedy() {
         let negative = message("900.0", "-1.0");
-        assert!(negative.starts_with("v.toml:5:44: multibody.body[1].mass_kg = -1.0: must be"));
+        assert!(negative.starts_with("v.toml:5:45: multibody.body[1].mass_kg = -1.0: must be"));
         assert!(message("900.0", "800.0").contains("must add up to the vehicle's mass_kg = 1000"));
         assert!(message("\"frame\", \"axle\"", "\"frame\", \"axel\"").contains("axel"));
         assert!(message("[0.0, 1.0, 0.46]", "[0.0, 1.0, 0.5]").contains("act in the axle"));

@@ -138,7 +138,7 @@ fn efforts_given_twice_are_refused() {
     let rows = "[[1], [2], [3], [4], [5], [6], [7], [8]]";
     let message = message(&format!("[traction.by_notch]\nspeed_kmh = [0]\neffort_kn = {rows}"));
     assert!(
-        message.contains("changed.toml:2:2: traction.by_notch: leave either [traction.effort]"),
+        message.contains("changed.toml:2:1: traction.by_notch: leave either [traction.effort]"),
         "{message}"
     );
 }

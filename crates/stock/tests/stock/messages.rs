@@ -57,7 +57,7 @@ fn golden_values_of_a_vehicle() {
         ),
         (
             "traction.notch_effort = [0, 0.1, 0.2, 0.3, 0.2, 0.5, 0.6, 0.7, 1]",
-            "2:45: traction.notch_effort[5] = 0.2: must lie between 0.3 and 1",
+            "2:44: traction.notch_effort[5] = 0.2: must lie between 0.3 and 1",
         ),
         ("traction.power_kw = 0", "2:21: traction.power_kw = 0: must be greater than zero"),
         (
@@ -102,21 +102,21 @@ fn golden_what_a_vehicle_lacks_or_has_too_much() {
     for (text, expected) in [
         (
             "[resistance]\ncurve_formula = 'table'",
-            "2:2: resistance.curve_table is missing: the curve formula \"table\" needs it",
+            "2:1: resistance.curve_table is missing: the curve formula \"table\" needs it",
         ),
         (
             "without = ['traction']\n[traction]\nramp_s = 1",
-            "3:2: traction.effort is missing: traction needs it, or [traction.by_notch]",
+            "3:1: traction.effort is missing: traction needs it, or [traction.by_notch]",
         ),
         (
             "without = ['traction']\n[traction]\nramp_s = 1\nnotch_power = [0, 1]",
-            "3:2: traction.power_kw is missing: notch_power needs it",
+            "3:1: traction.power_kw is missing: notch_power needs it",
         ),
-        ("mass = 3", "2:1: there is no key `mass`; did you mean `mass_kg`?"),
-        ("[brake]\nlag = 1", "3:1: there is no key `lag` in brake; did you mean `lag_s`?"),
+        ("mass = 3", "2:8: there is no key `mass`; did you mean `mass_kg`?"),
+        ("[brake]\nlag = 1", "3:7: there is no key `lag` in brake; did you mean `lag_s`?"),
         ("name = 7", "2:8: name = 7: must be a text in quotes"),
         ("axles = 4.5", "2:9: axles = 4.5: must be a whole number"),
-        ("mass_kg = '134 t'", "2:11: mass_kg = '134 t': must be a number"),
+        ("mass_kg = '134 t'", "2:11: mass_kg = \"134 t\": must be a number"),
         ("mass_kg = 134 t", "2:15: a number stands alone; its unit is at the end of the key"),
         ("extends = 'again'", "2:1: `extends` stands twice; leave one of them out"),
     ] {

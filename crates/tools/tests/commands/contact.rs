@@ -70,8 +70,8 @@ fn analytic_patches_grow_as_hertz_has_it() {
     let heavy = at("0", &[&cone[..], &["--load", "400000"]].concat());
     for (quantity, ratio) in [("a_mm", 2.0), ("b_mm", 2.0), ("approach_mm", 4.0)] {
         let ratio_found = heavy.column(quantity)[0] / light.column(quantity)[0];
-        // Five decimals of some millimetres are printed.
-        assert_near(ratio_found, ratio, 1e-4);
+        // Five decimals are printed, of an approach of some hundredths of a millimetre.
+        assert_near(ratio_found, ratio, 5e-4);
     }
 }
 
@@ -104,18 +104,21 @@ fn property_left_and_right_are_mirror_images() {
     };
     for quantity in ["gap_mm", "normal_force_n", "a_mm", "b_mm", "radius_change_mm"] {
         for (own, other) in [("left", "right"), ("right", "left")] {
-            assert_eq!(of(&left, own, quantity), of(&right, other, quantity), "{quantity}");
+            let pairs = of(&left, own, quantity).into_iter().zip(of(&right, other, quantity));
+            // The last of five decimals may be rounded otherwise.
+            let alike = pairs.clone().all(|(left, right)| (left - right).abs() < 2e-5);
+            assert!(alike && pairs.len() > 0, "{quantity}: {:?}", pairs.collect::<Vec<_>>());
         }
     }
     let opposite = -right.column("radius_difference_mm")[0];
-    assert_eq!(left.column("radius_difference_mm")[0], opposite);
+    assert!((left.column("radius_difference_mm")[0] - opposite).abs() < 2e-5);
 }
 
 #[test]
 fn wrong_options_are_answered_with_what_is_right() {
     for (words, wanted) in [
         (&["--load", "0"][..], "must be greater than zero"),
-        (&["--step-mm", "-1"], "--step-mm"),
+        (&["--step-mm", "0"], "must be greater than zero"),
         (&["--gauge-mm", "1435mm"], "must be a number, without a unit"),
         (&["--inclination", "0,05"], "must be a number, with a decimal point"),
         (&["--from-mm", "3", "--to-mm", "2"], "--to-mm must not be below --from-mm"),

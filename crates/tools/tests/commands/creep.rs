@@ -125,7 +125,7 @@ fn wrong_options_are_answered_with_what_is_right() {
     for (words, wanted) in [
         (&["--load", "1e5"][..], "--semi-axes-mm"),
         (&["--semi-axes-mm", "6", "6"], "--load"),
-        (&["--load", "-1", "--semi-axes-mm", "6", "6"], "--load"),
+        (&["--load", "0", "--semi-axes-mm", "6", "6"], "must be greater than zero"),
         (&["--load", "1e5", "--semi-axes-mm", "6", "0"], "must be greater than zero"),
         (
             &["--load", "1e5", "--semi-axes-mm", "6", "6", "--radii-m", "1", "1"],

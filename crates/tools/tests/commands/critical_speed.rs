@@ -64,7 +64,7 @@ fn a_table_for_people_has_both_units_of_speed() {
 fn wrong_options_are_answered_with_what_is_right() {
     for (words, wanted) in [
         (&["--conicity", "0.1,0"][..], "must be greater than zero"),
-        (&["--half-distance", "-0.7"], "--half-distance"),
+        (&["--half-distance", "0"], "must be greater than zero"),
         (&["--rail-radius", "0.3m"], "must be a number, without a unit"),
         (&["--greatest", "0"], "must be greater than zero"),
     ] {
