@@ -16,6 +16,13 @@ pub struct Check<'a> {
     section: String,
 }
 
+impl Document {
+    /// Checks for the values of the TOML text.
+    pub fn check(&self) -> Check<'_> {
+        Check::new(self)
+    }
+}
+
 impl<'a> Check<'a> {
     /// Checks the values of a document.
     pub fn new(document: &'a Document) -> Self {

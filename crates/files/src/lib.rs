@@ -16,6 +16,7 @@
 //! | `mistake.rs` | a [`Mistake`]: file, line, column, and a sentence |
 //! | `check.rs` | a [`Check`]: what the values of a TOML file must be |
 //! | `key.rs` | where the value of a key stands, and which key stands there |
+//! | `parse.rs` | what a document says, as a structure of the program |
 //! | `structure.rs` | what a file's structure lacks: the messages of TOML and serde in plain words |
 //! | `table.rs` | a [`Table`]: rows of comma-separated values |
 //! | `nearest.rs` | the name that was meant |
@@ -25,6 +26,7 @@ mod document;
 mod key;
 mod mistake;
 mod nearest;
+mod parse;
 mod structure;
 mod table;
 

@@ -15,7 +15,7 @@ use files::{Check, Mistake};
 use numerics::{Interpolation, Piecewise};
 use serde::Deserialize;
 
-use crate::check::check_order;
+use crate::order::check_order;
 
 /// Factor of the friction coefficient along the track.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,7 +2,7 @@
 //!
 //! | file | part |
 //! |---|---|
-//! | `content.rs`, `check.rs` | the keys of a track file, and what their values must be |
+//! | `content.rs`, `check.rs`, `order.rs` | the keys of a track file, and what their values must be |
 //! | `file.rs` | the file is read, and each of its parts compiled |
 //! | `compile.rs` | from the file to the compiled track |
 //! | `track.rs` | the compiled track: what holds at a chainage |
@@ -19,6 +19,7 @@ mod content;
 mod file;
 mod friction;
 pub mod irregularity;
+mod order;
 mod support;
 mod track;
 
