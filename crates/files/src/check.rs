@@ -2,10 +2,7 @@
 
 use crate::document::Document;
 use crate::key::{self, Found};
-use crate::mistake::{Mark, Mistake};
-
-/// Characters of a value that a message repeats: a longer one is marked only.
-const LONGEST_VALUE: usize = 40;
+use crate::mistake::{Mark, Mistake, is_short};
 
 /// Checks the values of a document, or of one section of it.
 ///
@@ -63,9 +60,7 @@ impl<'a> Check<'a> {
             Some(Found::Holder(bytes)) => (Some(bytes), None),
             None => (None, None),
         };
-        let short =
-            |value: &String| value.chars().count() <= LONGEST_VALUE && !value.contains('\n');
-        let sentence = match written.or(value).filter(short) {
+        let sentence = match written.or(value).filter(|value| is_short(value)) {
             Some(value) => format!("{key} = {value}: {wanted}"),
             None => format!("{key}: {wanted}"),
         };

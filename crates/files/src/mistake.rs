@@ -30,6 +30,14 @@ pub struct Mark {
     pub text: String,
 }
 
+/// Characters of a value that a sentence repeats: a longer one is marked only.
+const LONGEST_VALUE: usize = 40;
+
+/// Whether a sentence repeats this value.
+pub(crate) fn is_short(value: &str) -> bool {
+    value.chars().count() <= LONGEST_VALUE && !value.contains('\n')
+}
+
 impl Mistake {
     /// A mistake that concerns all of a file.
     pub fn in_file(file: impl ToString, sentence: impl Into<String>) -> Self {

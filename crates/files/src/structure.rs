@@ -7,11 +7,8 @@ use serde::de::DeserializeOwned;
 
 use crate::document::Document;
 use crate::key;
-use crate::mistake::Mistake;
+use crate::mistake::{Mistake, is_short};
 use crate::nearest::did_you_mean;
-
-/// Characters of a value that a message repeats.
-const LONGEST_VALUE: usize = 40;
 
 /// The mistake of a document that is not the structure `T`.
 pub(crate) fn mistake<T: DeserializeOwned>(
@@ -130,7 +127,7 @@ fn wrong_type(at: &Site<'_>, message: &str, written: Option<&str>) -> Option<Str
         true if number.is_some() => ", without quotes",
         _ => "",
     };
-    let short = written.filter(|text| text.len() <= LONGEST_VALUE && !text.contains('\n'));
+    let short = written.filter(|value| is_short(value));
     Some(match short {
         Some(value) if !value.starts_with('[') => {
             format!("{key} = {value}: must be {wanted}{quotes}")
