@@ -97,15 +97,13 @@ fn analytic_the_friction_gear_follows_its_power_law() {
 /// Masses, and what is loaded into an empty wagon: the body differs, bogies and wheelsets do not.
 #[test]
 fn property_a_load_lies_in_the_body() {
-    for (empty, loaded) in [("wagon-ore-40t-empty", "wagon-ore-40t")] {
-        let (empty, loaded) =
-            (shipped().vehicle(empty).unwrap(), shipped().vehicle(loaded).unwrap());
-        let (below, above) = (empty.multibody.unwrap(), loaded.multibody.unwrap());
-        let load = loaded.mass_kg - empty.mass_kg;
-        assert!(load > 0.0);
-        near(above.body[0].mass_kg - below.body[0].mass_kg, load, 1e-9);
-        assert_eq!(below.wheelset, above.wheelset);
-    }
+    let vehicle = |name: &str| shipped().vehicle(name).unwrap();
+    let (empty, loaded) = (vehicle("wagon-ore-40t-empty"), vehicle("wagon-ore-40t"));
+    let load = loaded.mass_kg - empty.mass_kg;
+    assert!(load > 0.0);
+    let (below, above) = (empty.multibody.unwrap(), loaded.multibody.unwrap());
+    near(above.body[0].mass_kg - below.body[0].mass_kg, load, 1e-9);
+    assert_eq!(below.wheelset, above.wheelset);
 }
 
 /// What a vehicle's parts weigh is what its couplers pull, of every shipped vehicle that has both.
