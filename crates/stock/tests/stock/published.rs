@@ -24,13 +24,14 @@ fn locomotive() -> Vehicle {
     shipped().vehicle("locomotive-coco-134t").unwrap()
 }
 
-/// Curtius and Kniffler 1944: 7.5/(V + 44) + 0.161 with V in km/h. The table has three digits, and a
+/// Curtius and Kniffler 1944: 7.5/(V + 44) + 0.161 with V in km/h. The table has three digits, half
+/// of whose last one is 0.25 %, and a
 /// chord of 20 km/h lies at most 1 % above the curve.
 #[test]
 fn benchmark_adhesion_is_that_of_curtius_and_kniffler() {
     let adhesion = locomotive().traction.unwrap().adhesion.unwrap();
     for (speed, value) in adhesion.speed_kmh.iter().zip(&adhesion.value) {
-        near(*value, 7.5 / (speed + 44.0) + 0.161, 2e-3);
+        near(*value, 7.5 / (speed + 44.0) + 0.161, 2.5e-3);
     }
     for speed in [5.0, 50.0, 110.0] {
         let found = at(&adhesion.speed_kmh, &adhesion.value, speed);
