@@ -116,7 +116,8 @@ fn wrong_type(at: &Site<'_>, message: &str, written: Option<&str>) -> Option<Str
     let (found, wanted) = found_and_wanted.split_once(", expected ")?;
     let key = &at.key;
     if kind == "invalid length" {
-        return Some(format!("{key}: must be {wanted}, but has {found} values"));
+        let wanted = wanted.strip_prefix("an array of length ").unwrap_or(wanted);
+        return Some(format!("{key}: must have {wanted} values, but has {found}"));
     }
     if (found, wanted) == ("map", "a sequence") {
         return Some(format!("{key}: write [[{key}]] in double brackets, once for each"));
@@ -169,15 +170,18 @@ fn no_toml(at: &Site<'_>, message: &str, marked: Option<&str>) -> Option<String>
             _ => format!("`{name}` stands twice; leave one of them out"),
         });
     }
-    let value = before.split_once('=').map(|(_, value)| value.trim());
-    let is_number = value.is_some_and(|value| value.parse::<f64>().is_ok());
-    if is_number && message.starts_with("unexpected key or value") {
-        return Some(match after.strip_prefix(',') {
-            Some(_) => "a number has a decimal point, not a comma".to_owned(),
-            None => "a number stands alone; its unit is at the end of the key".to_owned(),
+    if message.starts_with("string values must be quoted") {
+        let first = marked.and_then(|text| text.split_whitespace().next());
+        let is_number = first.is_some_and(|text| text.parse::<f64>().is_ok());
+        return Some(match is_number {
+            true => "a number stands alone; its unit is at the end of the key".to_owned(),
+            false => "a text needs quotes".to_owned(),
         });
     }
-    None
+    let value = before.split_once('=').map(|(_, value)| value.trim());
+    let is_number = value.is_some_and(|value| value.parse::<f64>().is_ok());
+    let decimal_comma = is_number && after.starts_with(',');
+    decimal_comma.then(|| "a number has a decimal point, not a comma".to_owned())
 }
 
 /// The name of a section whose line is split in two.
@@ -294,10 +298,7 @@ mod tests {
                 .ends_with("must be a section with keys of its own")
         );
         let wind = first_line(&format!("{TRAIN}wind = [1.0]"));
-        assert!(
-            wind.contains("train.wind: must be an array of length 2, but has 1 values"),
-            "{wind}"
-        );
+        assert!(wind.contains("train.wind: must have 2 values, but has 1"), "{wind}");
     }
 
     #[test]
@@ -327,6 +328,8 @@ mod tests {
     fn numbers_with_a_comma_or_a_unit_are_put_right() {
         let comma = first_line("duration_s = 16,67");
         assert_eq!(comma, "s.toml:1:16: a number has a decimal point, not a comma");
+        let text = first_line("title = my train");
+        assert_eq!(text, "s.toml:1:9: a text needs quotes");
         let unit = first_line("duration_s = 10 s");
         assert!(
             unit.ends_with("a number stands alone; its unit is at the end of the key"),
