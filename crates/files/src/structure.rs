@@ -65,10 +65,11 @@ fn unknown_key<T: DeserializeOwned>(at: &Site<'_>, message: &str) -> Option<Stri
     let section = at.key.strip_suffix(unknown).unwrap_or(&at.key).trim_end_matches('.');
     let here = if section.is_empty() { String::new() } else { format!(" in {section}") };
     if !section.is_empty() && is_key_of_the_top::<T>(unknown) {
-        return Some(format!(
-            "there is no key `{unknown}`{here}; it belongs to the top of the file, before the first \
-             [section]"
-        ));
+        let remedy = match at.line().0.trim_start().starts_with('[') {
+            true => format!("write [{unknown}]"),
+            false => "it belongs to the top of the file, before the first [section]".to_owned(),
+        };
+        return Some(format!("there is no key `{unknown}`{here}; {remedy}"));
     }
     let meant = did_you_mean(unknown, known.iter().copied());
     let end = if meant.is_empty() { "." } else { &meant };
@@ -266,6 +267,8 @@ mod tests {
             "s.toml:4:1: there is no key `stock` in train; it belongs to the top of the file, before \
              the first [section]"
         );
+        let section = first_line(&format!("{TRAIN}[train.stock]\n"));
+        assert_eq!(section, "s.toml:4:8: there is no key `stock` in train; write [stock]");
     }
 
     #[test]
