@@ -113,7 +113,7 @@ mod tests {
         let text = "friction = [{ chainage_m = 0.0, factor = 0.0 }]";
         let message = friction(text).unwrap_err().to_string();
         assert!(
-            message.contains("t.toml:1:43: friction[1].factor = 0.0: must lie between 0.05 and 3"),
+            message.contains("t.toml:1:42: friction[1].factor = 0.0: must lie between 0.05 and 3"),
             "{message}"
         );
     }

@@ -6,10 +6,10 @@ use contact::{
     ContactPatch, CreepForces, CreepLaw, FallingFriction, ModifiedFastsim, Polach, Reduction,
     STEEL, SlipVelocity,
 };
-use miette::{Result, ensure, miette};
 use railheat::contact::{Contact, Material, flash_rise};
 
 use super::arguments::{CreepArguments, Law};
+use crate::error::{ToolError, ensure};
 
 const MM: f64 = 1e-3;
 
@@ -26,15 +26,15 @@ pub(super) struct Row {
 }
 
 /// A row for each set of creepages.
-pub(super) fn rows(arguments: &CreepArguments) -> Result<Vec<Row>> {
+pub(super) fn rows(arguments: &CreepArguments) -> Result<Vec<Row>, ToolError> {
     let patch = patch(arguments)?;
     let law = law(arguments);
     let lists = [&arguments.longitudinal, &arguments.lateral, &arguments.spin];
     let count = lists.iter().map(|list| list.len()).max().unwrap_or(0);
-    ensure!(
+    ensure(
         lists.iter().all(|list| list.len() == 1 || list.len() == count),
-        "the lists of creepages must have the same length, or one value for all rows"
-    );
+        "the lists of creepages must have the same length, or one value for all rows",
+    )?;
     let speed = arguments.speed;
     let rows = (0..count).map(|i| {
         let creepages = lists.map(|list| list[i.min(list.len() - 1)]);
@@ -46,16 +46,18 @@ pub(super) fn rows(arguments: &CreepArguments) -> Result<Vec<Row>> {
 }
 
 /// The contact ellipse, given or by Hertz.
-fn patch(arguments: &CreepArguments) -> Result<ContactPatch> {
-    let positive = |values: &[f64]| values.iter().all(|value| *value > 0.0 && value.is_finite());
+fn patch(arguments: &CreepArguments) -> Result<ContactPatch, ToolError> {
     let (a, b) = match (&arguments.semi_axes_mm, &arguments.radii_m) {
-        (Some(axes), None) if positive(axes) => (axes[0] * MM, axes[1] * MM),
-        (None, Some(radii)) if positive(radii) => {
+        (Some(axes), None) => (axes[0] * MM, axes[1] * MM),
+        (None, Some(radii)) => {
             let hertz = UnitContact::new(0.5 / radii[0], 0.5 / radii[1], &STEEL);
             let scale = arguments.load.cbrt();
             (hertz.semi_axis_rolling * scale, hertz.semi_axis_lateral * scale)
         }
-        _ => return Err(miette!("give --semi-axes-mm A B or --radii-m RX RY, greater than zero")),
+        _ => {
+            let wanted = "give either --semi-axes-mm A B or --radii-m RX RY";
+            return Err(ToolError::Options(wanted.to_owned()));
+        }
     };
     let kalker = CreepCoefficients::new(a / b, STEEL.poisson_ratio);
     Ok(ContactPatch { normal_force: arguments.load, a, b, kalker })

@@ -1,11 +1,11 @@
 //! Drivers who control the speed or repeat a logger, and remote locomotives.
 
+use files::Mistake;
 use longitudinal::Command;
 use longitudinal::driver::Driver;
 use longitudinal::driver::state::DriverState;
 use longitudinal::driver::view::View;
 use longitudinal::{Couplers, TrainDynamics, TrainState};
-use stock::StockError;
 use track::Track;
 
 use crate::support::*;
@@ -13,7 +13,7 @@ use crate::support::*;
 const KMH: f64 = 1.0 / 3.6;
 
 /// Driver of the text of a file, with further files beside it.
-pub fn driver(text: &str, others: &[(&str, &str)]) -> Result<Driver, StockError> {
+pub fn driver(text: &str, others: &[(&str, &str)]) -> Result<Driver, Mistake> {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
     write("driver.toml", text);

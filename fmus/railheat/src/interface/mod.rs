@@ -25,5 +25,5 @@ mod weather_source;
 
 pub use chosen_model::State;
 pub use rail_heat::RailHeat;
-pub use shape::{FILE_NAME, FileError, Shape};
+pub use shape::{FILE_NAME, Shape};
 pub use signals::Signals;

@@ -145,13 +145,13 @@ fn wrong_rail_files_are_named() {
         (file("9000", "[0, 172, 0], [20, 172, 0], [20, 0, 0], [0, 0, 0]"), "enclose 6880 mm2"),
         (
             file("6880", "[0, 172, 0], [20, 172, 50], [20, 0, 0], [0, 0, 0]"),
-            "corners_mm[2]: the radius 50",
+            "x.toml:7:38: corners_mm[2][3] = 50: the radius in mm does not fit",
         ),
         (
             file("6880", "[0, 172, 0], [20, 180, 0], [20, 0, 0], [0, 0, 0]"),
-            "corners_mm[2]: the height 180 is above the crown: must be at most height_mm = 172",
+            "corners_mm[2][2] = 180: is above the crown: must be at most height_mm = 172",
         ),
-        (file("6880", ""), "corners_mm is empty"),
+        (file("6880", ""), "corners_mm: must lead from the crown to the foot"),
     ] {
         let sentence = RailFile::from_toml(&text, "x.toml").unwrap_err().to_string();
         assert!(sentence.contains(wanted) && sentence.contains("x.toml"), "{sentence}");

@@ -1,48 +1,10 @@
 //! The shipped rolling stock, and what the library says about files that are wrong.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use stock::{Library, StockError, Vehicle};
+use stock::Library;
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../stock");
-
-fn shipped() -> Library {
-    Library::open(ROOT).expect("the repository has a stock folder")
-}
-
-/// A library of the shipped vehicles in a folder of its own, with one more vehicle in it.
-struct Scratch {
-    folder: tempfile::TempDir,
-}
-
-impl Scratch {
-    fn with(name: &str, text: &str) -> Self {
-        let folder = tempfile::tempdir().unwrap();
-        let vehicles = folder.path().join("vehicles");
-        std::fs::create_dir(&vehicles).unwrap();
-        for file in std::fs::read_dir(Path::new(ROOT).join("vehicles")).unwrap() {
-            let file = file.unwrap();
-            std::fs::copy(file.path(), vehicles.join(file.file_name())).unwrap();
-        }
-        std::fs::write(vehicles.join(format!("{name}.toml")), text).unwrap();
-        Self { folder }
-    }
-
-    fn file(&self, name: &str) -> PathBuf {
-        self.folder.path().join("vehicles").join(format!("{name}.toml"))
-    }
-
-    fn vehicle(&self, name: &str) -> Result<Vehicle, StockError> {
-        Library::open(self.folder.path())?.vehicle(name)
-    }
-}
-
-/// The message about a vehicle that extends the shipped locomotive with `text`.
-fn message(text: &str) -> String {
-    let text = format!("extends = 'locomotive-coco-134t'\n{text}");
-    let error = Scratch::with("changed", &text).vehicle("changed").unwrap_err();
-    error.to_string()
-}
+use crate::scratch::{ROOT, Scratch, message, shipped};
 
 /// Source: Bosomworth et al. 2018, tables 1 and 2: 134 t, 20 m, six axles; the wagon is the
 /// locomotive without traction.
@@ -176,7 +138,7 @@ fn efforts_given_twice_are_refused() {
     let rows = "[[1], [2], [3], [4], [5], [6], [7], [8]]";
     let message = message(&format!("[traction.by_notch]\nspeed_kmh = [0]\neffort_kn = {rows}"));
     assert!(
-        message.contains("changed.toml:2:2: traction.by_notch: leave either [traction.effort]"),
+        message.contains("changed.toml:2:1: traction.by_notch: leave either [traction.effort]"),
         "{message}"
     );
 }
@@ -198,7 +160,10 @@ fn an_air_brake_without_its_section_is_refused() {
 #[test]
 fn a_section_to_leave_out_must_exist() {
     let message = message("without = ['tracton']");
-    assert!(message.contains("without = ['tracton']: locomotive-coco-134t has only"), "{message}");
+    assert!(
+        message.contains("changed.toml:2:11: without = \"tracton\": locomotive-coco-134t has only"),
+        "{message}"
+    );
 }
 
 #[test]
