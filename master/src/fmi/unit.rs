@@ -20,7 +20,7 @@ macro_rules! exchange {
         }
 
         fn $get(&mut self, references: &[u32], values: &mut [$type]) -> Result<(), UnitError> {
-            assert_eq!(references.len(), values.len(), "one place for each reference");
+            assert_eq!(references.len(), values.len(), "one value for each reference");
             self.call(
                 $get_name,
                 // SAFETY: both arrays have the stated length.
