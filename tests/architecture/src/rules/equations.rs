@@ -1,8 +1,9 @@
 //! An equation of the theory has an anchor, is cited by code and is validated.
 //!
-//! A page of `docs/theory` numbers its equations, `(12)`. The equation has the anchor
-//! `<a id="eq-12"></a>`. Code cites it as `docs/theory/page.md#eq-12`, and so does the page of
-//! `docs/validation` that has its row, as `../theory/page.md#eq-12`.
+//! The pages of a model number its equations through, `(12)`. The equation has the anchor
+//! `<a id="eq-12"></a>`. Code of the model cites it as "eq. 12" or "theory, eq. 12"; an equation of
+//! a publication stands behind its name and is not meant. A page of `docs/validation` links to it as
+//! `../theory/page.md#eq-12`.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -10,38 +11,103 @@ use std::path::Path;
 use crate::breach::Breach;
 use crate::workspace::Workspace;
 
+/// The pages of a model, and the packages that hold its code.
+const MODELS: [(&str, &[&str]); 4] = [
+    ("docs/theory/longitudinal.md", &["fmus/longitudinal"]),
+    ("docs/theory/vehicle", &["fmus/vehicle", "crates/contact"]),
+    ("docs/theory/railheat", &["fmus/railheat"]),
+    ("docs/theory/synchronisation.md", &["crates/controller", "fmus/synchronisation"]),
+];
+
 /// Equations without anchor, without a citation in code, and without validation.
 pub fn breaches(workspace: &Workspace) -> Vec<Breach> {
-    let code: String = workspace
-        .packages
-        .iter()
-        .flat_map(|package| package.sources.iter().filter(|source| package.is_product(source)))
-        .map(|source| source.text.as_str())
-        .collect();
+    let pages = workspace.pages("docs/theory");
     let validation: String =
         workspace.pages("docs/validation").into_iter().map(|(_, text)| text).collect();
     let mut found = vec![];
-    for (path, text) in workspace.pages("docs/theory") {
-        for (number, line) in numbered(&text) {
-            let page = path.strip_prefix("docs").unwrap_or(&path).display();
-            let link = format!("{page}#eq-{number}");
-            let cited = |text: &str| {
-                // `#eq-1` is no citation of `#eq-12`.
-                text.match_indices(&link).any(|(at, _)| {
-                    let next = text[at + link.len()..].chars().next();
-                    !next.is_some_and(|c| c.is_ascii_alphanumeric())
-                })
-            };
-            let missing = [
-                (!text.contains(&format!("id=\"eq-{number}\"")), "an anchor"),
-                (!cited(&code), "a citation in code"),
-                (!cited(&validation), "validation"),
-            ];
-            let missing: Vec<_> =
-                missing.into_iter().filter(|(missing, _)| *missing).map(|(_, what)| what).collect();
-            if !missing.is_empty() {
-                let message = format!("equation ({number}) is without {}", missing.join(", "));
-                found.push(Breach::new(Path::new(&path), line, message));
+    for (folder, packages) in MODELS {
+        let cited = cited(workspace, packages);
+        for (path, text) in pages.iter().filter(|(path, _)| path.starts_with(folder)) {
+            let page = path.strip_prefix("docs").unwrap_or(path).display();
+            for (number, line) in numbered(text) {
+                let missing = [
+                    (!text.contains(&format!("id=\"eq-{number}\"")), "an anchor"),
+                    (!cited.iter().any(|cited| cited.holds(&number)), "a citation in code"),
+                    (!validation.contains(&format!("{page}#eq-{number})")), "validation"),
+                ];
+                let missing = missing.into_iter().filter(|(missing, _)| *missing);
+                let missing: Vec<_> = missing.map(|(_, what)| what).collect();
+                if !missing.is_empty() {
+                    let message = format!("equation ({number}) is without {}", missing.join(", "));
+                    found.push(Breach::new(Path::new(path), line, message));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Equations that a comment names: from one to another, mostly the same.
+#[derive(Debug, PartialEq)]
+struct Cited {
+    first: String,
+    last: String,
+}
+
+impl Cited {
+    fn holds(&self, number: &str) -> bool {
+        let key = |number: &str| {
+            let digits = number.trim_end_matches(|c: char| c.is_ascii_lowercase());
+            (digits.parse::<usize>().unwrap_or(0), number[digits.len()..].to_owned())
+        };
+        (key(&self.first)..=key(&self.last)).contains(&key(number))
+    }
+}
+
+/// What the code of some packages cites.
+fn cited(workspace: &Workspace, packages: &[&str]) -> Vec<Cited> {
+    let here = |folder: &Path| packages.iter().any(|package| Path::new(package) == folder);
+    let packages = workspace.packages.iter().filter(|package| here(&package.folder));
+    let sources =
+        packages.flat_map(|package| package.sources.iter().filter(|s| package.is_product(s)));
+    sources.flat_map(|source| citations(&source.text)).collect()
+}
+
+/// The citations in a text of code, whose comments may be broken into lines.
+fn citations(text: &str) -> Vec<Cited> {
+    let marks: [&[char]; 2] = [&['/'], &['!', '/']];
+    let lines =
+        text.lines().map(|line| marks.iter().fold(line.trim(), |l, m| l.trim_start_matches(*m)));
+    let words: Vec<&str> = lines.flat_map(str::split_whitespace).collect();
+    let mut found: Vec<Cited> = vec![];
+    for (index, word) in words.iter().enumerate() {
+        let before = index.checked_sub(1).map_or("", |before| words[before]);
+        let ours = ["theory", "theory,", "Theory"].contains(&before.trim_start_matches('('))
+            || before.ends_with(';');
+        if *word != "(eq." && !(*word == "eq." && ours) {
+            continue;
+        }
+        let mut rest = words[index + 1..].iter();
+        let mut range = false;
+        while let Some(word) = rest.next() {
+            if ["to", "and"].contains(word) {
+                range = *word == "to";
+                continue;
+            }
+            let number = word.trim_matches(|c: char| !c.is_ascii_alphanumeric());
+            if !number.starts_with(|c: char| c.is_ascii_digit()) {
+                break;
+            }
+            match found.last_mut().filter(|_| range) {
+                Some(last) => number.clone_into(&mut last.last),
+                None => found.push(Cited { first: number.to_owned(), last: number.to_owned() }),
+            }
+            range = false;
+            if word.contains(')')
+                || !word.ends_with(',')
+                    && !matches!(rest.as_slice(), [next, ..] if ["to", "and"].contains(next))
+            {
+                break;
             }
         }
     }
@@ -84,6 +150,18 @@ fn number(text: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn citations_are_told_from_those_of_publications() {
+        let text = "//! It moves (theory, eq. 13). Then (theory,\n//! eq. 15c to 15f); Polach 2005, eq. 11.\n\
+                    /// Theory eq. 5; (eq. 2, 3) with stick; eq. 30).";
+        let cited = citations(text);
+        let pairs: Vec<_> = cited.iter().map(|c| (c.first.as_str(), c.last.as_str())).collect();
+        let expected =
+            [("13", "13"), ("15c", "15f"), ("5", "5"), ("2", "2"), ("3", "3"), ("30", "30")];
+        assert_eq!(pairs, expected);
+        assert!(cited[1].holds("15d") && !cited[1].holds("15b") && !cited[1].holds("16"));
+    }
 
     #[test]
     fn equations_are_found_at_either_end_of_a_line_and_in_tables() {
