@@ -49,7 +49,7 @@ pub fn equations_page(texts: &[Text]) -> String {
     )
 }
 
-/// Where a link in the text of a file leads from the page; none if nowhere.
+/// Where a link in the text of a file leads from the page; `None` where its target is not there.
 fn destination(file: &Path, link: &str, texts: &[Text]) -> Option<String> {
     if link.contains("://") {
         return Some(link.to_owned());

@@ -53,8 +53,8 @@ impl Experiment {
         Ok(experiment)
     }
 
-    /// The experiment of a result that has none beside it: its outputs at its times, with a step
-    /// that divides the time between two rows.
+    /// The experiment that made a result, from its rows: its outputs at its times, with a step that
+    /// divides the time between two rows.
     pub fn of_result(names: &[String], times: &[f64], default_step: Option<f64>) -> Option<Self> {
         let (first, last) = (times.first()?, times.last()?);
         let rows = times.len() as f64 - 1.0;
