@@ -1,6 +1,8 @@
 //! The interface of an FMU as its modelDescription.xml states it (FMI 2.0 §2.2).
 
 pub mod name_pattern;
+#[cfg(test)]
+mod published_tests;
 pub mod si;
 mod xml;
 
