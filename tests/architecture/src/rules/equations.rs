@@ -75,43 +75,36 @@ fn cited(workspace: &Workspace, packages: &[&str]) -> Vec<Cited> {
 
 /// The citations in a text of code, whose comments may be broken into lines.
 fn citations(text: &str) -> Vec<Cited> {
-    let marks: [&[char]; 2] = [&['/'], &['!', '/']];
-    let lines =
-        text.lines().map(|line| marks.iter().fold(line.trim(), |l, m| l.trim_start_matches(*m)));
-    let words: Vec<&str> = lines.flat_map(str::split_whitespace).collect();
+    let lines = text.lines().map(|line| line.trim().trim_start_matches(['/', '!']).trim());
+    let text = lines.collect::<Vec<_>>().join(" ").replace("eqs ", "eq. ");
+    let ours = |at: usize| {
+        let before = text[..at].trim_end();
+        ["(", ";", "theory", "theory,", "Theory"].iter().any(|end| before.ends_with(end))
+    };
+    let marks = text.match_indices("eq. ").filter(|(at, _)| ours(*at));
+    marks.flat_map(|(at, mark)| list(&text[at + mark.len()..])).collect()
+}
+
+/// The equations at the beginning of a text: `2`, `2, 3`, `2 and 3` or `20 to 22`.
+fn list(mut text: &str) -> Vec<Cited> {
     let mut found: Vec<Cited> = vec![];
-    for (index, word) in words.iter().enumerate() {
-        let before = index.checked_sub(1).map_or("", |before| words[before]);
-        let ours = ["theory", "theory,", "Theory"].contains(&before.trim_start_matches('('))
-            || before.ends_with(';');
-        if *word != "(eq." && !(*word == "eq." && ours) {
+    let mut first = None;
+    loop {
+        let end = text.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(text.len());
+        let (last, rest) = text.split_at(end);
+        if !last.starts_with(|c: char| c.is_ascii_digit()) {
+            return found;
+        }
+        if let Some(rest) = rest.strip_prefix(" to ") {
+            (first, text) = (Some(last), rest);
             continue;
         }
-        let mut rest = words[index + 1..].iter();
-        let mut range = false;
-        while let Some(word) = rest.next() {
-            if ["to", "and"].contains(word) {
-                range = *word == "to";
-                continue;
-            }
-            let number = word.trim_matches(|c: char| !c.is_ascii_alphanumeric());
-            if !number.starts_with(|c: char| c.is_ascii_digit()) {
-                break;
-            }
-            match found.last_mut().filter(|_| range) {
-                Some(last) => number.clone_into(&mut last.last),
-                None => found.push(Cited { first: number.to_owned(), last: number.to_owned() }),
-            }
-            range = false;
-            if word.contains(')')
-                || !word.ends_with(',')
-                    && !matches!(rest.as_slice(), [next, ..] if ["to", "and"].contains(next))
-            {
-                break;
-            }
+        found.push(Cited { first: first.take().unwrap_or(last).to_owned(), last: last.to_owned() });
+        match rest.strip_prefix(", ").or(rest.strip_prefix(" and ")) {
+            Some(rest) => text = rest,
+            None => return found,
         }
     }
-    found
 }
 
 /// Numbers of the equations of a page with their lines: at the beginning of a line of formulas, at its
@@ -154,7 +147,7 @@ mod tests {
     #[test]
     fn citations_are_told_from_those_of_publications() {
         let text = "//! It moves (theory, eq. 13). Then (theory,\n//! eq. 15c to 15f); Polach 2005, eq. 11.\n\
-                    /// Theory eq. 5; (eq. 2, 3) with stick; eq. 30).";
+                    /// Theory eq. 5; (eqs 2 and 3) with stick; eq. 30).";
         let cited = citations(text);
         let pairs: Vec<_> = cited.iter().map(|c| (c.first.as_str(), c.last.as_str())).collect();
         let expected =
