@@ -185,12 +185,16 @@ fn an_equation_is_complete_with_anchor_citation_and_validation() {
         ("docs/validation/longitudinal.md", row),
         ("fmus/longitudinal/Cargo.toml", "[package]\nname = \"longitudinal\"\n"),
         ("fmus/longitudinal/src/lib.rs", "//! Motion (theory, eq. 1).\n"),
+        ("fmus/longitudinal/src/line.rs", "//! `docs/theory/longitudinal.md#eq-7`\n"),
         // What another package cites is not meant.
         (LIB, "//! Motion (theory, eq. 12).\n"),
     ];
-    let expected = "docs/theory/longitudinal.md:4: equation (12) is without an anchor, a citation in \
-                    code, validation";
-    assert_eq!(said("equations", &files), [expected]);
+    let expected = [
+        "fmus/longitudinal/src/line.rs:1: docs/theory/longitudinal.md has no anchor eq-7",
+        "docs/theory/longitudinal.md:4: equation (12) is without an anchor, a citation in code, \
+         validation",
+    ];
+    assert_eq!(said("equations", &files), expected);
 }
 
 #[test]

@@ -1,20 +1,21 @@
 //! An equation of the theory has an anchor, is cited by code and is validated.
 //!
 //! The pages of a model number its equations through, `(12)`. The equation has the anchor
-//! `<a id="eq-12"></a>`. Code of the model cites it as "eq. 12" or "theory, eq. 12"; an equation of
-//! a publication stands behind its name and is not meant. A page of `docs/validation` links to it as
+//! `<a id="eq-12"></a>`. Code of the model cites it as `docs/theory/page.md#eq-12`, which must be
+//! there, or in short as "eq. 12" or "theory, eq. 12"; an equation of a publication stands behind its name
+//! and is not meant. A page of `docs/validation` links to it as
 //! `../theory/page.md#eq-12`.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::breach::Breach;
-use crate::workspace::Workspace;
+use crate::workspace::{Source, Workspace};
 
 /// The pages of a model, and the packages that hold its code.
 const MODELS: [(&str, &[&str]); 4] = [
     ("docs/theory/longitudinal.md", &["fmus/longitudinal"]),
-    ("docs/theory/vehicle", &["fmus/vehicle", "crates/contact"]),
+    ("docs/theory/vehicle", &["fmus/vehicle", "crates/contact", "crates/track"]),
     ("docs/theory/railheat", &["fmus/railheat"]),
     ("docs/theory/synchronisation.md", &["crates/controller", "fmus/synchronisation"]),
 ];
@@ -24,15 +25,29 @@ pub fn breaches(workspace: &Workspace) -> Vec<Breach> {
     let pages = workspace.pages("docs/theory");
     let validation: String =
         workspace.pages("docs/validation").into_iter().map(|(_, text)| text).collect();
-    let mut found = vec![];
+    let links: Vec<_> = workspace.sources().flat_map(links).collect();
+    let anchored = |link: &&Link| {
+        let anchor = format!("id=\"eq-{}\"", link.number);
+        pages.iter().any(|(path, text)| *path == link.page && text.contains(&anchor))
+    };
+    let broken = links.iter().filter(|link| !anchored(link));
+    let mut found: Vec<_> = broken
+        .map(|link| {
+            let Link { page, number, file, line } = link;
+            let message = format!("{} has no anchor eq-{number}", page.display());
+            Breach::new(file, *line, message)
+        })
+        .collect();
     for (folder, packages) in MODELS {
         let cited = cited(workspace, packages);
         for (path, text) in pages.iter().filter(|(path, _)| path.starts_with(folder)) {
             let page = path.strip_prefix("docs").unwrap_or(path).display();
             for (number, line) in numbered(text) {
+                let is_linked = links.iter().any(|link| link.leads_to(path, &number));
+                let is_cited = is_linked || cited.iter().any(|cited| cited.holds(&number));
                 let missing = [
                     (!text.contains(&format!("id=\"eq-{number}\"")), "an anchor"),
-                    (!cited.iter().any(|cited| cited.holds(&number)), "a citation in code"),
+                    (!is_cited, "a citation in code"),
                     (!validation.contains(&format!("{page}#eq-{number})")), "validation"),
                 ];
                 let missing = missing.into_iter().filter(|(missing, _)| *missing);
@@ -42,6 +57,41 @@ pub fn breaches(workspace: &Workspace) -> Vec<Breach> {
                     found.push(Breach::new(Path::new(path), line, message));
                 }
             }
+        }
+    }
+    found
+}
+
+/// A link from code to the anchor of an equation.
+struct Link {
+    page: PathBuf,
+    number: String,
+    file: PathBuf,
+    line: usize,
+}
+
+impl Link {
+    fn leads_to(&self, page: &Path, number: &str) -> bool {
+        self.page == page && self.number == number
+    }
+}
+
+/// The links of a source; those of tests count for nothing.
+fn links(source: &Source) -> Vec<Link> {
+    const ANCHOR: &str = ".md#eq-";
+    let code = source.text.lines().count() - source.lines_of_tests();
+    let mut found = vec![];
+    for (index, line) in source.text.lines().take(code).enumerate() {
+        for (at, _) in line.match_indices(ANCHOR) {
+            let begin = line[..at].rfind("docs/theory/");
+            let number = &line[at + ANCHOR.len()..];
+            let end = number.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(number.len());
+            found.extend(begin.map(|begin| Link {
+                page: PathBuf::from(format!("{}.md", &line[begin..at])),
+                number: number[..end].to_owned(),
+                file: source.path.clone(),
+                line: index + 1,
+            }));
         }
     }
     found
