@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
+use anyhow::Result;
 use clap::Args;
 use hotfoot::run::wiring;
 
