@@ -9,9 +9,9 @@ use hotfoot_tests::resources;
 use track::TrackFile;
 use vehicle::Vehicle;
 use vehicle::dynamics::Dynamics;
-use vehicle::inputs::Inputs;
-use vehicle::line::Line;
+use vehicle::dynamics::inputs::Inputs;
 use vehicle::structure::Structure;
+use vehicle::track::Line;
 
 thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };

@@ -9,8 +9,8 @@ fn refusal(output: &Output) -> String {
     assert!(!output.status.success(), "the command succeeded");
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(!text.contains("panicked") && !text.contains("RUST_BACKTRACE"), "{text}");
-    // miette draws a bar in front of lines.
-    text.replace(['│', '×'], " ").split_whitespace().collect::<Vec<_>>().join(" ")
+    // Long messages have several lines.
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn assert_says(message: &str, parts: &[&str]) {
@@ -24,14 +24,17 @@ fn a_typo_is_answered_with_line_and_keys() {
     let mut scenario = SmallScenario::new(1.0);
     scenario.text = scenario.text.replace("duration_s", "durationn_s");
     let message = refusal(&scenario.run(&[]));
-    assert_says(&message, &["unknown field `durationn_s`", "expected one of", "scenario.toml:2"]);
+    assert_says(
+        &message,
+        &["there is no key `durationn_s`", "did you mean `duration_s`?", "scenario.toml:2"],
+    );
 }
 
 #[test]
 fn a_step_of_zero_is_answered_with_its_bound() {
     let mut scenario = SmallScenario::new(1.0);
     scenario.text = scenario.text.replace("step_s = 0.001", "step_s = 0.0");
-    assert_says(&refusal(&scenario.run(&[])), &["step_s = 0.0: lower than 0.000001"]);
+    assert_says(&refusal(&scenario.run(&[])), &["step_s = 0.0: must be at least 0.000001"]);
 }
 
 /// The times of the command line go before those of the file: 0.1 s in steps of 2 ms, recorded every 50 ms.
@@ -56,17 +59,20 @@ fn times_of_the_command_line_that_do_not_fit_are_named() {
     let scenario = SmallScenario::new(1.0);
     let message = refusal(&scenario.run(&["--step", "0.003"]));
     let wanted =
-        "with --step 0.003: record.interval_s: 0.1 s is not a multiple of step_s = 0.003 s";
+        "with --step 0.003: record.interval_s = 0.1: must be a multiple of step_s = 0.003 s";
     assert_says(&message, &["scenario.toml", wanted]);
     let message = refusal(&scenario.run(&["--interval", "0"]));
-    assert_says(&message, &["--interval 0", "greater than zero"]);
+    assert_says(&message, &["--interval", "must be greater than zero"]);
 }
 
 #[test]
 fn a_missing_file_is_named_with_its_key() {
     let mut scenario = SmallScenario::new(1.0);
     scenario.text = scenario.text.replace("\"track.toml\"", "\"trck.toml\"");
-    assert_says(&refusal(&scenario.run(&[])), &["track.file", "trck.toml", "no such track file"]);
+    assert_says(
+        &refusal(&scenario.run(&[])),
+        &["track.file", "trck.toml", "there is no such file; did you mean `track.toml`?"],
+    );
 }
 
 #[test]
@@ -74,7 +80,7 @@ fn a_curve_radius_of_zero_is_answered_with_key_and_remedy() {
     let mut scenario = SmallScenario::new(1.0);
     scenario.track = scenario.track.replace("radius_m = 800.0", "radius_m = 0.0");
     let message = refusal(&scenario.run(&[]));
-    assert_says(&message, &["alignment[2].radius_m = 0", "at least 50 m"]);
+    assert_says(&message, &["alignment[2].radius_m = 0.0", "at least 50 m"]);
 }
 
 #[test]
@@ -145,7 +151,7 @@ fn a_step_of_zero_for_a_package_is_answered() {
     let output = String::from_utf8_lossy(&exported.stdout).into_owned();
     assert_says(&output, &["12 components", "the scenario's scheme is sequential"]);
     let run = ["run", "train.ssp", "--results", "r", "--step", "0"];
-    assert_says(&refusal(&scenario.hotfoot(&run)), &["--step 0", "greater than zero"]);
+    assert_says(&refusal(&scenario.hotfoot(&run)), &["--step", "must be greater than zero"]);
 }
 
 /// What a scenario sets for a single vehicle travels with the package, an input too.
@@ -192,7 +198,15 @@ fn a_parameter_of_the_wrong_type_is_answered_with_the_right_one() {
 fn a_parameter_that_the_rail_has_not_is_named() {
     let scenario = with_heat("parameters = { \"section.raill\" = \"60E1\" }");
     let message = refusal(&scenario.run(&[]));
-    assert_says(&message, &["\"section.raill\" = \"60E1\"", "has no such variable", "rail.fmu"]);
+    assert_says(
+        &message,
+        &[
+            "\"section.raill\" = \"60E1\"",
+            "has no such variable",
+            "rail.fmu",
+            "did you mean `section.rail`?",
+        ],
+    );
 }
 
 #[test]
@@ -214,7 +228,6 @@ fn a_wrong_line_of_a_weather_file_is_answered_with_the_users_file() {
     let file = scenario.folder.path().join("weather.csv");
     std::fs::write(&file, "time_s,air\n0,300\n").unwrap();
     let message = refusal(&scenario.run(&[]));
-    // The message is wrapped at spaces only, so the path stays whole.
-    assert_says(&message, &["weather.csv, line 1: must be time_s,air_degC"]);
+    assert_says(&message, &["weather.csv:1:1: the columns must be time_s,air_degC"]);
     assert!(!message.contains("resources"), "the copy is not named: {message}");
 }

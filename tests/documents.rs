@@ -148,9 +148,9 @@ fn each_equation_is_listed_with_tests_that_exist() {
     }
     let list = text("docs/validation/equations.md");
     for page in pages {
-        let place = page.strip_prefix(root().join("docs")).unwrap().display();
+        let path = page.strip_prefix(root().join("docs")).unwrap().display();
         for anchor in std::fs::read_to_string(&page).unwrap().split("<a id=\"").skip(1) {
-            let link = format!("(../{place}#{})", anchor.split('"').next().unwrap());
+            let link = format!("(../{path}#{})", anchor.split('"').next().unwrap());
             assert!(list.contains(&link), "docs/validation/equations.md lacks {link}");
         }
     }
@@ -158,5 +158,20 @@ fn each_equation_is_listed_with_tests_that_exist() {
     for name in list.split('`').skip(1).step_by(2).filter(|name| name.contains('_')) {
         let function = format!("fn {name}(");
         assert!(code.contains(&function), "docs/validation/equations.md: no test {name}");
+    }
+}
+
+#[test]
+fn every_link_between_pages_leads_to_a_file() {
+    let mut pages = vec![];
+    files(root(), &|path| path.extension().is_some_and(|e| e == "md"), &mut pages);
+    assert!(pages.len() > 50, "{} pages", pages.len());
+    for page in pages {
+        let markdown = std::fs::read_to_string(&page).unwrap();
+        for link in markdown.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let file = link.split('#').next().unwrap();
+            let elsewhere = file.contains("://") || file.contains(' ') || file.is_empty();
+            assert!(elsewhere || page.with_file_name(file).exists(), "{page:?} links to {link}");
+        }
     }
 }

@@ -26,17 +26,21 @@ fn refusal(keys: &str, parameters: &str, (name, content): (&str, &str)) -> Strin
     assert!(!output.status.success(), "{keys} {parameters}");
     assert!(!scenario.results().join("series").exists(), "nothing was begun");
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    // The terminal breaks lines at its width.
-    said.replace('│', " ").split_whitespace().collect::<Vec<_>>().join(" ")
+    // Long messages have several lines.
+    said.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[test]
 fn wrong_weather_is_named_before_the_run() {
     let night = "weather_file = \"night.csv\"";
     for (keys, rows, wanted) in [
-        ("", "0,10,1,0,0,-30,0\n20000,10,1,0,0,-30,0", "line 3: time_s = 20000 after 0: must rise"),
-        ("", "0,288,1,0,0,-30,0", "line 2: air_degC = 288: must lie between -90 and 65"),
-        ("", "0,10,1,0,0", "line 2: has 5 values: 7 are needed"),
+        (
+            "",
+            "0,10,1,0,0,-30,0\n20000,10,1,0,0,-30,0",
+            "time_s = 20000: must rise from 0 before it",
+        ),
+        ("", "0,288,1,0,0,-30,0", "air_degC = 288: must lie between -90 and 65"),
+        ("", "0,10,1,0,0", "this row has 5 values, but the rows above it have 7"),
         (
             "cool_down_minutes = 30.0",
             "0,10,1,0,0,-30,0\n600,10,1,0,0,-30,0",
@@ -54,7 +58,7 @@ fn a_section_that_is_not_closed_is_named() {
     let said = refusal("", "\"section.rail\" = \"bar.toml\"", ("bar.toml", &rail_file(corners)));
     for part in [
         "bar.toml",
-        "the section is not closed: corners_mm must begin at [0, 172]",
+        "corners_mm: the section is not closed: must begin at [0, 172]",
         "ends at [20, 0]",
     ] {
         assert!(said.contains(part), "{part} in {said}");

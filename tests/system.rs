@@ -3,8 +3,9 @@
 //! | file | what is tested |
 //! |---|---|
 //! | `command_line.rs` | answers to wrong input |
-//! | `documents.rs` | what README, licences and vocabulary say |
 //! | `determinism.rs` | any number of threads gives the same bytes |
+//! | `documents.rs` | what README, licences and vocabulary say |
+//! | `error_messages.rs` | each sentence of an error comes once |
 //! | `examples.rs` | the examples |
 //! | `facts.rs` | what the manifest states against what the units have |
 //! | `field_lost.rs` | a temperature field that is lost in a run |
@@ -28,6 +29,7 @@
 mod command_line;
 mod determinism;
 mod documents;
+mod error_messages;
 mod examples;
 mod facts;
 mod field_lost;

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
+use anyhow::{Result, anyhow};
 use clap::{Args, ValueEnum};
 use hotfoot::Import;
 use hotfoot::check::reference::{self, Verdict};
 use hotfoot::check::{self, Severity, rules};
 use hotfoot::roles;
-use miette::{IntoDiagnostic, Result, miette};
 
 use crate::supervise;
 
@@ -62,10 +62,11 @@ pub fn check(arguments: &CheckArguments) -> Result<()> {
         return Ok(());
     }
     let Some(fmu) = &arguments.fmu else { return Ok(()) };
+    files::exists(fmu)?;
     match supervise::is_child() {
         true => check_here(fmu, arguments),
         false => {
-            supervise::in_child(&[], || Err(miette!("{} has crashed the check", fmu.display())))
+            supervise::in_child(&[], || Err(anyhow!("{} has crashed the check", fmu.display())))
         }
     }
 }
@@ -79,14 +80,14 @@ fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {
         problems.extend(unfit(fmu, role)?);
     }
     if arguments.replay {
-        match reference::compare(fmu).into_diagnostic()? {
+        match reference::compare(fmu)? {
             Verdict::Same(agreement) => println!("{agreement}"),
             Verdict::Different(differences) => problems.extend(differences),
         }
     }
     match problems.is_empty() {
         true => Ok(()),
-        false => Err(miette!("{}:\n{}", fmu.display(), problems.join("\n"))),
+        false => Err(anyhow!("{}:\n{}", fmu.display(), problems.join("\n"))),
     }
 }
 
@@ -102,7 +103,7 @@ fn broken_rules(fmu: &Path) -> Vec<String> {
 
 /// What the FMU lacks for a role.
 fn unfit(fmu: &Path, role: Role) -> Result<Vec<String>> {
-    let import = Import::open(fmu).into_diagnostic()?;
+    let import = Import::open(fmu)?;
     let missing = roles::missing(import.interface(), role.into());
     if missing.is_empty() {
         println!("{} can be used as {role:?}", fmu.display());

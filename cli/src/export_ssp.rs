@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use anyhow::Result;
 use clap::Args;
 use hotfoot::run::{Exported, export, workplace};
-use miette::Result;
 
 use crate::run::default_fmus;
 

@@ -2,23 +2,24 @@
 
 use std::path::Path;
 
+use anyhow::Result;
 use hotfoot::{Interface, archive, scenario};
-use miette::{IntoDiagnostic, Result};
 
 /// Lists the variables of an FMU, or prints its model description.
 ///
 /// # Errors
 /// When the FMU cannot be read.
 pub fn interface(fmu: &Path, xml: bool) -> Result<()> {
-    let folder = tempfile::tempdir().into_diagnostic()?;
-    archive::unpack(fmu, folder.path()).into_diagnostic()?;
+    files::exists(fmu)?;
+    let folder = tempfile::tempdir()?;
+    archive::unpack(fmu, folder.path())?;
     let file = folder.path().join("modelDescription.xml");
-    let text = std::fs::read_to_string(file).into_diagnostic()?;
+    let text = std::fs::read_to_string(file)?;
     if xml {
         print!("{text}");
         return Ok(());
     }
-    let interface = Interface::from_xml(&text).into_diagnostic()?;
+    let interface = Interface::from_xml(&text)?;
     for variable in interface.variables() {
         let unit = variable.unit.as_deref().unwrap_or("");
         println!("{:<9} {:<52} {unit}", variable.causality, variable.name);
@@ -32,6 +33,6 @@ pub fn interface(fmu: &Path, xml: bool) -> Result<()> {
 /// Never in practice.
 pub fn schema() -> Result<()> {
     let schema = schemars::schema_for!(scenario::Scenario);
-    println!("{}", serde_json::to_string_pretty(&schema).into_diagnostic()?);
+    println!("{}", serde_json::to_string_pretty(&schema)?);
     Ok(())
 }

@@ -8,12 +8,16 @@
 //! | `wiring.rs` | `wiring` |
 //! | `results.rs` | `report`, `expect` |
 //! | `interface.rs` | `interface`, `schema` |
+//! | `examples.rs` | the examples in their help |
+//! | `message.rs` | the message of an error |
 //!
 //! `modes`, `contact`, `creep` and `critical-speed` stand in the library `tools` (`crates/tools`).
 
 mod check;
+mod examples;
 mod export_ssp;
 mod interface;
+mod message;
 mod pack;
 mod results;
 mod run;
@@ -21,9 +25,12 @@ mod supervise;
 mod wiring;
 
 use std::path::PathBuf;
+use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use tools::{contact, creep, critical_speed, modes};
+use tools::{ToolError, contact, creep, critical_speed, modes};
+
+use crate::message::message;
 
 /// Full-train co-simulation of in-train forces, wheel-rail contact and rail-foot heat.
 #[derive(Parser)]
@@ -36,30 +43,36 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     /// Run a scenario and write its results and report, or run an SSP package
+    #[command(after_help = examples::RUN)]
     Run(run::RunArguments),
     /// Write a scenario's train as an SSP package for other tools
+    #[command(after_help = examples::EXPORT_SSP)]
     ExportSsp(export_ssp::ExportArguments),
     /// Show what a scenario or an SSP package consists of: components, when they step, and what flows
     /// between them
     Wiring(wiring::WiringArguments),
     /// Make the report of a results folder again
+    #[command(after_help = examples::REPORT)]
     Report {
         /// Folder that a run has written
         results: PathBuf,
     },
     /// Compare the figures of a run with those expected of its scenario
+    #[command(after_help = examples::EXPECT)]
     Expect {
         /// Folder that a run has written
         results: PathBuf,
         /// File of expected figures, such as `expected.toml` beside the scenario
         expected: PathBuf,
     },
-    /// Check an FMU against the rules of FMI 2.0, for a role in the train, and against the
-    /// reference result that it carries
+    /// Check an FMU against FMI 2.0, for a role in the train, and against its reference result
+    #[command(after_help = examples::CHECK)]
     Check(check::CheckArguments),
     /// Pack an FMU: a binary with resources and the model description for them
+    #[command(after_help = examples::PACK)]
     Pack(pack::PackArguments),
     /// List the variables of an FMU
+    #[command(after_help = examples::INTERFACE)]
     Interface {
         /// FMU
         fmu: PathBuf,
@@ -68,23 +81,34 @@ enum Command {
         xml: bool,
     },
     /// Print the JSON schema of scenario files, for editors
+    #[command(after_help = examples::SCHEMA)]
     Schema,
     /// Natural frequencies, damping and shapes of a vehicle on its suspension
+    #[command(after_help = examples::MODES)]
     Modes(modes::ModesArguments),
     /// How a wheelset touches its rails over the lateral displacement
+    #[command(after_help = examples::CONTACT)]
     Contact(contact::ContactArguments),
     /// Creep forces, friction power and flash temperature of one contact
+    #[command(after_help = examples::CREEP)]
     Creep(creep::CreepArguments),
     /// Speed at which a vehicle on straight track becomes unstable
+    #[command(after_help = examples::CRITICAL_SPEED)]
     CriticalSpeed(critical_speed::CriticalSpeedArguments),
 }
 
-fn main() -> miette::Result<()> {
-    // Wrapped lines would break the names of files.
-    miette::set_hook(Box::new(|_| {
-        Box::new(miette::MietteHandlerOpts::new().wrap_lines(false).build())
-    }))?;
-    match Arguments::parse().command {
+fn main() -> ExitCode {
+    match carry_out(Arguments::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("Error: {}", message(&error));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn carry_out(command: Command) -> anyhow::Result<()> {
+    match command {
         Command::Run(arguments) => run::run(&arguments),
         Command::ExportSsp(arguments) => export_ssp::export_ssp(&arguments),
         Command::Wiring(arguments) => wiring::print(&arguments),
@@ -94,9 +118,55 @@ fn main() -> miette::Result<()> {
         Command::Pack(arguments) => pack::pack(&arguments),
         Command::Interface { fmu, xml } => interface::interface(&fmu, xml),
         Command::Schema => interface::schema(),
-        Command::Modes(arguments) => modes::modes(&arguments),
-        Command::Contact(arguments) => contact::contact(&arguments),
-        Command::Creep(arguments) => creep::creep(&arguments),
-        Command::CriticalSpeed(arguments) => critical_speed::critical_speed(&arguments),
+        Command::Modes(arguments) => print(modes::modes(&arguments)),
+        Command::Contact(arguments) => print(contact::contact(&arguments)),
+        Command::Creep(arguments) => print(creep::creep(&arguments)),
+        Command::CriticalSpeed(arguments) => print(critical_speed::critical_speed(&arguments)),
+    }
+}
+
+/// Prints what an engineering command answers.
+fn print(answer: Result<String, ToolError>) -> anyhow::Result<()> {
+    print!("{}", answer?);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_options_of_all_commands_go_together() {
+        Arguments::command().debug_assert();
+    }
+
+    /// Whoever asks for help sees what every option does, and an example that can be typed.
+    #[test]
+    fn every_command_explains_its_options_and_shows_an_example() {
+        for command in Arguments::command().get_subcommands() {
+            let name = command.get_name();
+            assert!(command.get_about().is_some(), "{name} does not say what it does");
+            let example = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(example.contains(&format!("hotfoot {name}")), "{name} shows no example");
+            for option in command.get_arguments() {
+                assert!(option.get_help().is_some(), "{name} does not explain {}", option.get_id());
+            }
+        }
+    }
+
+    /// Each example is a command that the program takes.
+    #[test]
+    fn every_example_can_be_typed() {
+        for command in Arguments::command().get_subcommands() {
+            let text = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let examples = text.lines().map(str::trim).filter(|line| line.starts_with("hotfoot "));
+            for example in examples {
+                let words = example.split_whitespace();
+                let parsed = Arguments::try_parse_from(words);
+                assert!(parsed.is_ok(), "{example}: {}", parsed.err().unwrap());
+            }
+        }
     }
 }

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use anyhow::Result;
 use clap::Args;
 use hotfoot::check::reference;
 use hotfoot::pack::{self, Binary};
-use miette::{IntoDiagnostic, Result};
 
 /// Arguments of `hotfoot pack`.
 #[derive(Args)]
@@ -34,24 +34,25 @@ pub struct PackArguments {
 /// # Errors
 /// When files are missing, or the model refuses the resources.
 pub fn pack(arguments: &PackArguments) -> Result<()> {
-    let folder = tempfile::tempdir().into_diagnostic()?;
+    files::exists(&arguments.binary)?;
+    let folder = tempfile::tempdir()?;
     if let Some(resources) = &arguments.resources {
-        pack::copy_folder(resources, folder.path()).into_diagnostic()?;
+        pack::copy_folder(resources, folder.path())?;
     }
     if let Some(stock) = &arguments.stock {
-        pack::copy_folder(stock, &folder.path().join("stock")).into_diagnostic()?;
+        pack::copy_folder(stock, &folder.path().join("stock"))?;
     }
     let is_fmu = arguments.binary.extension().is_some_and(|extension| extension == "fmu");
     let binary = match is_fmu {
         true => Binary::Fmu(&arguments.binary),
         false => Binary::Library(&arguments.binary),
     };
-    pack::pack(binary, folder.path(), &arguments.output).into_diagnostic()?;
+    pack::pack(binary, folder.path(), &arguments.output)?;
     if !arguments.theory.is_empty() {
-        pack::add_equations(&arguments.output, &arguments.theory).into_diagnostic()?;
+        pack::add_equations(&arguments.output, &arguments.theory)?;
     }
-    match &arguments.reference {
-        Some(reference) => reference::pack(&arguments.output, reference).into_diagnostic(),
-        None => Ok(()),
+    if let Some(reference) = &arguments.reference {
+        reference::pack(&arguments.output, reference)?;
     }
+    Ok(())
 }

@@ -2,11 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
+use anyhow::{Result, anyhow, bail};
 use clap::Args;
 use hotfoot::recording;
 use hotfoot::run::{self, Options, workplace};
 use hotfoot::scenario::Times;
-use miette::{IntoDiagnostic, Result, miette};
+use tools::number::{count, positive};
 
 use crate::supervise;
 
@@ -16,22 +17,22 @@ pub struct RunArguments {
     /// Scenario: its folder or file; or an SSP package of any FMUs
     scenario: PathBuf,
     /// Threads for the vehicles; left out: all cores
-    #[arg(long)]
+    #[arg(long, value_parser = count)]
     threads: Option<usize>,
     /// Folder of the results; left out: a new one in `results`
-    #[arg(long)]
+    #[arg(long, short, alias = "output", short_alias = 'o')]
     results: Option<PathBuf>,
     /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
     #[arg(long)]
     fmus: Option<PathBuf>,
     /// Simulated time in place of the scenario's or package's, s
-    #[arg(long)]
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
     duration: Option<f64>,
     /// Step of the exchange in place of the scenario's or package's, s
-    #[arg(long)]
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
     step: Option<f64>,
     /// Time between two records in place of the scenario's, s; of an SSP package, left out: 0.1
-    #[arg(long)]
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
     interval: Option<f64>,
     /// Show no progress
     #[arg(long)]
@@ -43,6 +44,9 @@ pub struct RunArguments {
 /// # Errors
 /// When the scenario is wrong, a unit fails or crashes.
 pub fn run(arguments: &RunArguments) -> Result<()> {
+    if let Some(results) = arguments.results.as_ref().filter(|results| results.is_file()) {
+        bail!("--results {}: is a file, where a folder is needed", results.display());
+    }
     if supervise::is_child() {
         return run_here(arguments);
     }
@@ -55,10 +59,10 @@ pub fn run(arguments: &RunArguments) -> Result<()> {
     supervise::in_child(&further, || {
         let series = results.join("series");
         if !series.exists() {
-            return Err(miette!("an FMU has crashed the run before anything was recorded"));
+            bail!("an FMU has crashed the run before anything was recorded");
         }
-        recording::complete(&series).into_diagnostic()?;
-        Err(miette!(
+        recording::complete(&series)?;
+        Err(anyhow!(
             "an FMU has crashed the run; the results until then are in {}",
             results.display()
         ))

@@ -1,11 +1,12 @@
-//! Runs a command in a child of this program, so that an FMU that crashes it ends the child only:
-//! what was recorded is completed, and the user is told.
+//! Runs a command in a child of this program, so that an FMU that crashes it ends the child only.
+//!
+//! What was recorded is then completed, and the user gets a message.
 
 use std::ffi::OsString;
 use std::io::Read;
 use std::process::{Command, ExitStatus, Stdio};
 
-use miette::{IntoDiagnostic, Result};
+use anyhow::Result;
 
 /// Set in the environment of the child.
 const CHILD: &str = "HOTFOOT_CHILD";
@@ -29,24 +30,22 @@ fn end_with_parent() {
     });
 }
 
-/// Runs this program again with the same and `further` arguments, and calls `after_crash` if it
-/// crashes.
+/// Runs this program again with the same and `further` arguments; calls `after_crash` if it crashes.
 ///
 /// # Errors
 /// When the child cannot be started, and what `after_crash` says. A child that ends with an error
-/// has told it, so this program ends at once with the same code.
+/// has said why, so this program ends at once with the same code.
 pub fn in_child(further: &[OsString], after_crash: impl FnOnce() -> Result<()>) -> Result<()> {
-    let program = std::env::current_exe().into_diagnostic()?;
+    let program = std::env::current_exe()?;
     let mut child = Command::new(program)
         .args(std::env::args_os().skip(1))
         .args(further)
         .env(CHILD, "1")
         .stdin(Stdio::piped())
-        .spawn()
-        .into_diagnostic()?;
+        .spawn()?;
     // `wait` closes the standard input, at which the child would end.
     let input = child.stdin.take();
-    let status = child.wait().into_diagnostic()?;
+    let status = child.wait()?;
     drop(input);
     match status {
         status if status.success() => Ok(()),

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use anyhow::Result;
 use clap::Args;
 use hotfoot::run::wiring;
-use miette::Result;
 
 use crate::run::default_fmus;
 

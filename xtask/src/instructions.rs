@@ -17,25 +17,28 @@ const STEPS: u64 = 2000;
 /// library is inlined, contains; the first that fits counts.
 const PARTS: [(&str, &[&str]); 7] = [
     ("creep law", &["crates/contact/src/creep/"]),
-    ("contact search and Hertz", &["crates/contact/", "vehicle/src/wheel.rs", "geometry::table"]),
+    (
+        "contact search and Hertz",
+        &["crates/contact/", "vehicle/src/contact/wheel.rs", "geometry::table"],
+    ),
     (
         "wheelsets: their six equations and outputs",
         &[
-            "src/six.rs",
-            "src/wheelset.rs",
-            "src/rows.rs",
-            "src/patch.rs",
-            "src/wheel_output.rs",
-            "src/rail.rs",
-            "src/drive.rs",
+            "vehicle/src/contact/",
+            "vehicle/src/dynamics/wheelset.rs",
+            "vehicle/src/dynamics/drive.rs",
+            "vehicle/src/track/rail.rs",
             "::wheel",
             "::six",
         ],
     ),
     ("suspension", &["vehicle/src/suspension/", "::suspension::"]),
     ("track", &["crates/track/", "track::"]),
-    ("bodies", &["src/dynamics.rs", "src/body.rs", "src/frame.rs", "::dynamics::"]),
-    ("outputs and calls of the FMU", &["crates/fmu/", "src/interface.rs", "fmu::", "interface::"]),
+    ("bodies", &["vehicle/src/dynamics/", "vehicle/src/body/", "::dynamics::"]),
+    (
+        "outputs and calls of the FMU",
+        &["crates/fmu/", "vehicle/src/interface/", "fmu::", "interface::"],
+    ),
 ];
 
 /// The rest: mathematics of the C library, copies.

@@ -2,7 +2,7 @@
 
 use contact::{
     CreepLaw, FallingFriction, GeometryTable, ModifiedFastsim, Polach, ProfilePair, RailProfile,
-    Reduction, SlipVelocity, WheelPlace, WheelProfile, wheelset_geometry,
+    Reduction, SlipVelocity, WheelPosition, WheelProfile, wheelset_geometry,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -15,7 +15,7 @@ fn evaluation(c: &mut Criterion) {
     let patch = point.patch(110e3);
     let slip = SlipVelocity { longitudinal: 0.05, lateral: 0.02, spin: 1.0 };
     c.bench_function("contact search: one patch from the table", |b| {
-        let wheel = WheelPlace { shift: 0.00213, descent: 1e-5, roll: -1e-4, yaw_squared: 1e-6 };
+        let wheel = WheelPosition { shift: 0.00213, descent: 1e-5, roll: -1e-4, yaw_squared: 1e-6 };
         b.iter(|| {
             let wheel = black_box(&wheel);
             let mut patch = table.patch(0, table.row(wheel.shift), wheel)?;

@@ -12,7 +12,7 @@
 //! The larger semi-axis lies in the direction of the smaller curvature. Source: K. L. Johnson,
 //! Contact Mechanics, 4.2; validated by `benchmark_hertz_…` in `tests/validation/`.
 
-use crate::Material;
+use crate::material::Material;
 
 /// Contact ellipse for a load of 1 N; semi-axes grow with N^(1/3).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -28,8 +28,9 @@ pub struct UnitContact {
 }
 
 impl UnitContact {
-    /// The contact of two bodies with the half relative curvatures `rolling` (A) and `lateral` (B),
-    /// both positive, in 1/m.
+    /// The contact of two bodies with these half relative curvatures, both positive, in 1/m.
+    ///
+    /// `rolling` is A, in the rolling direction, and `lateral` B, across.
     pub fn new(rolling: f64, lateral: f64, material: &Material) -> Self {
         let (least, most) = (rolling.min(lateral), rolling.max(lateral));
         let modulus = material.contact_modulus();
@@ -68,8 +69,7 @@ impl UnitContact {
         root * root
     }
 
-    /// Semi-axes in the rolling direction and across, in m, at an elastic `approach` (m); 0 without
-    /// contact.
+    /// Semi-axes in the rolling direction and across, in m, at an `approach` (m); 0 without contact.
     #[inline]
     pub fn semi_axes(&self, approach: f64) -> (f64, f64) {
         let scale = self.stiffness_root * approach.max(0.0).sqrt();

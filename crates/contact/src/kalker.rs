@@ -1,16 +1,16 @@
 //! Kalker's linear creep coefficients.
 //!
-//! For small creepages the forces on the wheel are
+//! For small creepages, xi positive in traction, the forces on the wheel are
 //!
 //! ```text
-//! Fx = -G a b C11 xi
+//! Fx = +G a b C11 xi
 //! Fy = -G a b C22 eta - G (a b)^(3/2) C23 phi
 //! Mz = +G (a b)^(3/2) C23 eta - G (a b)^2 C33 phi
 //! ```
 //!
 //! C11, C22, C23 are table E.3 of Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990),
-//! as tabled in the source of CONTACT; C33 is recalled, and agrees with an independent public code
-//! (`reference/vehicle.md` 4.3). Between Poisson's ratios 0, 0.25 and 0.5 a parabola in 1/C is used,
+//! as tabled in the source of CONTACT (Vollebregt); C33 is Kalker's as an independent public code has
+//! it. Between Poisson's ratios 0, 0.25 and 0.5 a parabola in 1/C is used,
 //! as in CONTACT; between the rows the values are linear in the ratio of the semi-axes. Below a
 //! ratio of 0.1 they follow Kalker's asymptotes, scaled to meet the table at 0.1.
 
@@ -36,8 +36,9 @@ pub struct CreepCoefficients {
 }
 
 impl CreepCoefficients {
-    /// The coefficients for the semi-axes ratio a/b (a in the rolling direction) and a Poisson's
-    /// ratio between 0 and 0.5.
+    /// The coefficients for a ratio a/b of semi-axes and a Poisson's ratio between 0 and 0.5.
+    ///
+    /// a lies in the rolling direction.
     pub fn new(a_over_b: f64, poisson_ratio: f64) -> Self {
         let short = a_over_b <= 1.0;
         let ratio = if short { a_over_b } else { 1.0 / a_over_b };

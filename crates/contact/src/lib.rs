@@ -31,15 +31,19 @@ pub use creep::friction::FallingFriction;
 pub use creep::law::CreepLaw;
 pub use creep::modified_fastsim::ModifiedFastsim;
 pub use creep::polach::Polach;
-pub use creep::{CreepForces, Creepages, REFERENCE_SPEED_MIN, SlipVelocity};
+pub use creep::{
+    CreepDamping, CreepForces, Creepages, REFERENCE_SPEED_MIN, SlipVelocity, TangentialForce,
+};
 pub use error::ContactError;
 pub use geometry::conicity::EquivalentConicity;
 pub use geometry::contact_point::{ContactPatch, ContactPoint};
 pub use geometry::pair::ProfilePair;
-pub use geometry::patch_at::{PatchAt, PressedPatch, RowPlace, WheelPlace};
+pub use geometry::patch_at::{PatchAt, PressedPatch, RowPosition, WheelPosition};
 pub use geometry::table::GeometryTable;
 pub use geometry::wheelset::{WheelContact, WheelsetGeometry, wheelset_geometry};
 pub use material::{Material, STEEL};
 pub use profile::cone::Cone;
+pub use profile::point::ProfilePoint;
 pub use profile::points::PointProfile;
-pub use profile::{ProfilePoint, RailProfile, WheelProfile};
+pub use profile::rail::RailProfile;
+pub use profile::wheel::WheelProfile;

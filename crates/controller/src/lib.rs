@@ -1,5 +1,6 @@
-//! Keeps a vehicle at its place in the train: a PID controller on the position error
-//! (Bosomworth et al. 2018, eq. 5-7).
+//! The PID controller that keeps a vehicle model in step with the train model.
+//!
+//! It acts on the error of position (Bosomworth et al. 2018, eq. 5-7).
 //!
 //! The master and the FMU `synchronisation` use this one law, so that a system that is exported
 //! for other tools cannot differ from a run of the master.
@@ -63,8 +64,10 @@ impl Controller {
         force.clamp(-limit, limit)
     }
 
-    /// The force on the vehicle as [`force`](Self::force) gives it, N, and the integral of the
-    /// error over the `length`, s, for which both motions hold.
+    /// Advances the integral of the error by a step of this `length`, s, and gives the force, N.
+    ///
+    /// Both motions hold for the whole step; the force is that of [`force`](Self::force) at its
+    /// beginning.
     pub fn step(&mut self, vehicle: Motion, train: Motion, length: f64) -> f64 {
         let force = self.force(vehicle, train);
         // The integral stands still at the limit, or it would wind up.

@@ -23,8 +23,10 @@ pub(crate) const DEPTH: &str = "depth";
 /// Attribute by which a store is known to be a rail field.
 pub(crate) const KIND: (&str, &str) = ("kind", "hotfoot rail field");
 
-/// Elements along the track in one compressed chunk: with some 35 depths about 140 kB of f32,
-/// which decodes in a fraction of a millisecond when only a short length of rail is wanted.
+/// Elements along the track in one compressed chunk.
+///
+/// With some 35 depths they are about 140 kB of f32, which decode in a fraction of a millisecond
+/// when only a short length of rail is wanted.
 const CHUNK_ELEMENTS: u64 = 1024;
 
 /// Level of zstd compression: the fastest.
@@ -40,8 +42,9 @@ pub(crate) fn in_this_thread() -> CodecOptions {
     CodecOptions::default().with_concurrent_target(1)
 }
 
-/// The field itself, still without a snapshot. A snapshot is one shard, so one file, of chunks of
-/// [`CHUNK_ELEMENTS`] elements.
+/// The field itself, still without a snapshot.
+///
+/// A snapshot is one shard, so one file, of chunks of [`CHUNK_ELEMENTS`] elements.
 pub(crate) fn temperature_rise(path: &Path, axes: &Axes) -> Result<StoredArray, FieldError> {
     let (elements, depths) = (axes.chainage.len() as u64, axes.depth.len() as u64);
     let chunk = CHUNK_ELEMENTS.min(elements);
@@ -63,8 +66,9 @@ pub(crate) fn temperature_rise(path: &Path, axes: &Axes) -> Result<StoredArray, 
     .map_err(|error| FieldError::zarr(path, error))
 }
 
-/// The times of the snapshots, still without one. Each time is a chunk of its own, so that
-/// appending never rewrites what is on disk.
+/// The times of the snapshots, still without one.
+///
+/// Each time is a chunk of its own, so that appending never rewrites what is on disk.
 pub(crate) fn time(path: &Path) -> Result<StoredArray, FieldError> {
     let attributes = attributes(json!({
         "axis": "T",

@@ -72,7 +72,7 @@ impl FieldReader {
         self.snapshot(nearest)
     }
 
-    /// The snapshot at place `index` of [`times`](Self::times).
+    /// The snapshot number `index`, from zero, of [`times`](Self::times).
     fn snapshot(&self, index: usize) -> Result<Snapshot, FieldError> {
         let (elements, depths) = (self.axes.chainage.len(), self.axes.depth.len());
         let index_range = index as u64..index as u64 + 1;

@@ -24,8 +24,9 @@ pub struct FieldWriter {
 }
 
 impl FieldWriter {
-    /// Begins a field at `path`. A rail field that is there already is replaced; anything else
-    /// is left alone and refused.
+    /// Begins a field at `path`.
+    ///
+    /// A rail field that is there already is replaced; anything else is left alone and refused.
     ///
     /// # Errors
     /// When an axis is empty, something else is at the path, or it cannot be written.

@@ -13,7 +13,7 @@ fn axes() -> Axes {
     }
 }
 
-/// A value that tells its place: 0.1 mK steps, which f32 must keep.
+/// A value that is another in every cell: 0.1 mK steps, which f32 must keep.
 fn rise(axes: &Axes, snapshot: usize) -> Vec<f32> {
     (0..axes.values()).map(|i| (snapshot as f32) + 1e-4 * i as f32).collect()
 }

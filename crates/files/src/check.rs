@@ -2,10 +2,7 @@
 
 use crate::document::Document;
 use crate::key::{self, Found};
-use crate::mistake::{Mark, Mistake};
-
-/// Characters of a value that a message repeats: a longer one is marked only.
-const LONGEST_VALUE: usize = 40;
+use crate::mistake::{Mark, Mistake, is_short};
 
 /// Checks the values of a document, or of one section of it.
 ///
@@ -14,6 +11,13 @@ const LONGEST_VALUE: usize = 40;
 pub struct Check<'a> {
     document: &'a Document,
     section: String,
+}
+
+impl Document {
+    /// Checks for the values of the TOML text.
+    pub fn check(&self) -> Check<'_> {
+        Check::new(self)
+    }
 }
 
 impl<'a> Check<'a> {
@@ -35,20 +39,30 @@ impl<'a> Check<'a> {
     }
 
     /// A value that is not possible, as the file has it if it is there, and what would be right.
-    pub fn error(&self, key: &str, value: impl ToString, wanted: impl Into<String>) -> Mistake {
+    pub fn error(&self, key: &str, value: impl ToString, wanted: impl AsRef<str>) -> Mistake {
+        self.about_value(key, Some(value.to_string()), wanted.as_ref())
+    }
+
+    /// The same for a value that only the file knows.
+    pub fn wrong(&self, key: &str, wanted: impl AsRef<str>) -> Mistake {
+        self.about_value(key, None, wanted.as_ref())
+    }
+
+    fn about_value(&self, key: &str, value: Option<String>, wanted: &str) -> Mistake {
         let key = self.full(key);
         let (mark, written) = match key::find(self.document.text(), &key) {
             Some(Found::Value(bytes)) => {
-                (Some(bytes.clone()), self.document.text().get(bytes).map(str::to_owned))
+                let written = self.document.text().get(bytes.clone()).map(str::to_owned);
+                // Of a list or a section the caller names the part that is wrong.
+                let whole = |written: &String| value.is_some() && written.starts_with(['[', '{']);
+                (Some(bytes), written.filter(|written| !whole(written)))
             }
             Some(Found::Holder(bytes)) => (Some(bytes), None),
             None => (None, None),
         };
-        let value = written.unwrap_or_else(|| value.to_string());
-        let wanted = wanted.into();
-        let sentence = match value.chars().count() <= LONGEST_VALUE && !value.contains('\n') {
-            true => format!("{key} = {value}: {wanted}"),
-            false => format!("{key}: {wanted}"),
+        let sentence = match written.or(value).filter(|value| is_short(value)) {
+            Some(value) => format!("{key} = {value}: {wanted}"),
+            None => format!("{key}: {wanted}"),
         };
         self.mistake(mark, sentence)
     }
@@ -129,8 +143,9 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Two columns of a table: equally long, at least `rows`, the first one rising from row to
-    /// row and beginning at zero, the second one without negative values.
+    /// Two columns of a table, equally long and of at least `rows`.
+    ///
+    /// The first one rises from row to row and begins at zero, the second one has no negative values.
     ///
     /// # Errors
     /// When one of this does not hold.
@@ -168,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_is_told_as_it_is_written_and_marked() {
+    fn a_value_is_repeated_as_it_is_written_and_marked() {
         let gear = gear();
         let check = gear.check().section("loading");
         let columns = |x: &[f64]| {
@@ -182,8 +197,7 @@ mod tests {
         let negative = columns(&[0.0, 40.0, 50.0]).to_string();
         assert!(negative.starts_with("gear.toml:3:16: loading.force_kn[2] = -1: must not be"));
         let short = columns(&[0.0]).to_string();
-        let wanted =
-            "loading.deflection_mm = [0, 40, 20.0]: needs at least 2 values, and as many as";
+        let wanted = "loading.deflection_mm = [0.0]: needs at least 2 values, and as many as";
         assert!(short.contains(wanted), "{short}");
     }
 
@@ -206,8 +220,8 @@ mod tests {
         );
         assert!(check.between("x", f64::NAN, 0.0, 1.0).is_err());
         assert!(check.positive("x", f64::INFINITY).is_err() && check.positive("x", 0.0).is_err());
-        let told = check.positive("x", -2.0).unwrap_err().to_string();
-        assert_eq!(told, "gear.toml: x = -2: must be greater than zero");
+        let text = check.positive("x", -2.0).unwrap_err().to_string();
+        assert_eq!(text, "gear.toml: x = -2: must be greater than zero");
     }
 
     /// A value of many lines would hide the sentence.
@@ -215,7 +229,7 @@ mod tests {
     fn a_long_value_is_marked_only() {
         let text = format!("x = [{}]", "1, ".repeat(30));
         let file = Document::new("f.toml", text);
-        let mistake = file.check().error("x", "", "is too long");
+        let mistake = file.check().wrong("x", "is too long");
         assert_eq!(mistake.sentence, "x: is too long");
         assert_eq!(mistake.mark.map(|mark| mark.column), Some(5));
     }

@@ -4,13 +4,8 @@ use std::io::{self, ErrorKind};
 use std::ops::Range;
 use std::path::Path;
 
-use serde::de::DeserializeOwned;
-
-use crate::check::Check;
-use crate::key::{self, Found};
 use crate::mistake::{Mark, Mistake};
 use crate::nearest::did_you_mean;
-use crate::structure;
 
 /// The text of a file that a person wrote, with the name that messages give it.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,43 +49,21 @@ impl Document {
         &self.text
     }
 
-    /// What the TOML text says, as the structure `T`.
-    ///
-    /// # Errors
-    /// When it is not TOML, lacks a key, has an unknown one, or a value of another type.
-    pub fn parse<T: DeserializeOwned>(&self) -> Result<T, Mistake> {
-        toml::from_str(&self.text).map_err(|error| structure::mistake::<T>(self, &error))
-    }
-
-    /// What a table says, put together of this document's keys and those of others, as the structure `T`.
-    ///
-    /// # Errors
-    /// As of [`Document::parse`]; a key that stands in this document is marked in it.
-    pub fn parse_table<T: DeserializeOwned>(&self, table: &toml::Table) -> Result<T, Mistake> {
-        table.clone().try_into().or_else(|_| {
-            // A text of the whole table gives the mistake its key, which is then looked up here.
-            let whole = Self::new(&self.name, table.to_string());
-            toml::from_str(&whole.text).map_err(|error| {
-                let mark = error.span().and_then(|span| {
-                    match key::find(&self.text, &key::at(&whole.text, span.start))? {
-                        Found::Value(bytes) => Some(Mark::new(&self.text, bytes)),
-                        Found::Holder(_) => None,
-                    }
-                });
-                Mistake { mark, ..structure::mistake::<T>(&whole, &error) }
-            })
-        })
-    }
-
-    /// Checks for the values of the TOML text.
-    pub fn check(&self) -> Check<'_> {
-        Check::new(self)
-    }
-
     /// A mistake in these bytes of the text.
     pub fn mistake(&self, bytes: Range<usize>, sentence: impl Into<String>) -> Mistake {
         let mark = Some(Mark::new(&self.text, bytes));
         Mistake { mark, ..Mistake::in_file(&self.name, sentence) }
+    }
+}
+
+/// Says of a file or folder that is not there which one may be meant.
+///
+/// # Errors
+/// When it is not there.
+pub fn exists(path: &Path) -> Result<(), Mistake> {
+    match std::fs::metadata(path) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(Mistake::in_file(path.display(), unreadable(path, &error))),
     }
 }
 
@@ -130,43 +103,25 @@ mod tests {
     }
 
     #[test]
+    fn a_folder_exists_as_well_as_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        assert_eq!(exists(folder.path()), Ok(()));
+        let text = exists(&folder.path().join("none.fmu")).unwrap_err().to_string();
+        assert!(text.ends_with("none.fmu: there is no such file"), "{text}");
+    }
+
+    #[test]
     fn a_missing_file_is_answered_with_the_one_that_is_meant() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("track.toml"), "").unwrap();
-        let told = message(&folder.path().join("trak.toml"));
-        assert!(told.ends_with("trak.toml: there is no such file; did you mean `track.toml`?"));
-        let told = message(&folder.path().join("weather.csv"));
-        assert!(told.ends_with("weather.csv: there is no such file"), "{told}");
-        let told = message(&folder.path().join("nowhere/track.toml"));
-        assert!(told.contains("there is no folder") && told.ends_with("nowhere"), "{told}");
-        let told = message(folder.path());
-        assert!(told.ends_with("is a folder, not a file"), "{told}");
-    }
-
-    /// A vehicle that extends another is such a table.
-    #[test]
-    fn a_mistake_in_a_table_of_several_documents_is_marked_in_its_own() {
-        #[derive(Debug, serde::Deserialize)]
-        #[serde(deny_unknown_fields)]
-        #[expect(dead_code, reason = "read by serde only")]
-        struct Vehicle {
-            mass_kg: f64,
-            length_m: f64,
-        }
-        let own = Document::new("own.toml", "extends = \"base\"\nmass_kg = \"12\"\n");
-        let mut table: toml::Table = own.parse().unwrap();
-        table.remove("extends");
-        let base = toml::toml! { length_m = 20.0 };
-        table.extend(base);
-        let message = own.parse_table::<Vehicle>(&table).unwrap_err().to_string();
-        let wanted = "own.toml:2:11: mass_kg = \"12\": must be a number, without quotes";
-        assert!(message.starts_with(wanted), "{message}");
-        table.insert("mass_kg".to_owned(), 12.0.into());
-        assert_eq!(own.parse_table::<Vehicle>(&table).unwrap().length_m, 20.0);
-        // What the other document has wrong has no mark in this one.
-        table.insert("length_m".to_owned(), true.into());
-        let message = own.parse_table::<Vehicle>(&table).unwrap_err().to_string();
-        assert_eq!(message, "own.toml: length_m = true: must be a number");
+        let text = message(&folder.path().join("trak.toml"));
+        assert!(text.ends_with("trak.toml: there is no such file; did you mean `track.toml`?"));
+        let text = message(&folder.path().join("weather.csv"));
+        assert!(text.ends_with("weather.csv: there is no such file"), "{text}");
+        let text = message(&folder.path().join("nowhere/track.toml"));
+        assert!(text.contains("there is no folder") && text.ends_with("nowhere"), "{text}");
+        let text = message(folder.path());
+        assert!(text.ends_with("is a folder, not a file"), "{text}");
     }
 
     #[test]
@@ -174,8 +129,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("latin1.toml");
         std::fs::write(&file, b"a = 1\nname = \"M\xfcller\"\n").unwrap();
-        let told = message(&file);
-        assert!(told.contains("latin1.toml:2:10: is no text in UTF-8"), "{told}");
-        assert!(told.contains("save the file as UTF-8"), "{told}");
+        let text = message(&file);
+        assert!(text.contains("latin1.toml:2:10: is no text in UTF-8"), "{text}");
+        assert!(text.contains("save the file as UTF-8"), "{text}");
     }
 }

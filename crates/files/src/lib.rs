@@ -1,4 +1,4 @@
-//! The files that people write: how they are read, and how a mistake in one is told.
+//! The files that people write: how they are read, and how a mistake in one is answered.
 //!
 //! Scenario, track, vehicles, trains, drivers, rails, loggers and weather all come through here, so that a
 //! mistake always reads the same:
@@ -16,6 +16,7 @@
 //! | `mistake.rs` | a [`Mistake`]: file, line, column, and a sentence |
 //! | `check.rs` | a [`Check`]: what the values of a TOML file must be |
 //! | `key.rs` | where the value of a key stands, and which key stands there |
+//! | `parse.rs` | what a document says, as a structure of the program |
 //! | `structure.rs` | what a file's structure lacks: the messages of TOML and serde in plain words |
 //! | `table.rs` | a [`Table`]: rows of comma-separated values |
 //! | `nearest.rs` | the name that was meant |
@@ -25,11 +26,12 @@ mod document;
 mod key;
 mod mistake;
 mod nearest;
+mod parse;
 mod structure;
 mod table;
 
 pub use check::Check;
-pub use document::Document;
+pub use document::{Document, exists};
 pub use mistake::{Mark, Mistake};
 pub use nearest::{did_you_mean, nearest};
 pub use table::Table;

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// What is wrong with a file, where, and what would be right.
 ///
-/// It is told as `file:line:column: sentence`, with the line and a caret below it.
+/// It reads `file:line:column: sentence`, with the line and a caret below it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistake {
     /// File as its user names it.
@@ -28,6 +28,14 @@ pub struct Mark {
     pub width: usize,
     /// The text of the line.
     pub text: String,
+}
+
+/// Characters of a value that a sentence repeats: a longer one is marked only.
+const LONGEST_VALUE: usize = 40;
+
+/// Whether a sentence repeats this value.
+pub(crate) fn is_short(value: &str) -> bool {
+    value.chars().count() <= LONGEST_VALUE && !value.contains('\n')
 }
 
 impl Mistake {
@@ -103,8 +111,8 @@ mod tests {
         assert_eq!((marked.line, marked.column, marked.width), (2, 8, 8));
         let mistake =
             Mistake { file: "f.toml".into(), mark: Some(marked), sentence: "is wrong".into() };
-        let told = "f.toml:2:8: is wrong\n  |\n2 | näme = \"Müller\"\n  |        ^^^^^^^^";
-        assert_eq!(mistake.to_string(), told);
+        let shown = "f.toml:2:8: is wrong\n  |\n2 | näme = \"Müller\"\n  |        ^^^^^^^^";
+        assert_eq!(mistake.to_string(), shown);
     }
 
     #[test]

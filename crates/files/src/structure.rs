@@ -7,11 +7,8 @@ use serde::de::DeserializeOwned;
 
 use crate::document::Document;
 use crate::key;
-use crate::mistake::Mistake;
+use crate::mistake::{Mistake, is_short};
 use crate::nearest::did_you_mean;
-
-/// Characters of a value that a message repeats.
-const LONGEST_VALUE: usize = 40;
 
 /// The mistake of a document that is not the structure `T`.
 pub(crate) fn mistake<T: DeserializeOwned>(
@@ -21,7 +18,7 @@ pub(crate) fn mistake<T: DeserializeOwned>(
     let text = document.text();
     let span = error.span();
     let begin = span.as_ref().map_or(0, |span| span.start);
-    let at = Place { text, begin, key: key::at(text, begin) };
+    let at = Site { text, begin, key: key::at(text, begin) };
     let message = error.message().trim();
     let sentence = unknown_key::<T>(&at, message)
         .or_else(|| missing_key(&at, message))
@@ -33,21 +30,22 @@ pub(crate) fn mistake<T: DeserializeOwned>(
             if at.key.is_empty() { message } else { format!("{}: {message}", at.key) }
         });
     // What the whole file lacks has no line of its own.
+    let of_the_whole = at.key.is_empty() && message.starts_with("missing field ");
     match span {
-        Some(span) if span.len() < text.len() => document.mistake(span, sentence),
+        Some(span) if !of_the_whole => document.mistake(span, sentence),
         _ => Mistake::in_file(document.name(), sentence),
     }
 }
 
-/// Where an error stands.
-struct Place<'a> {
+/// Where an error is.
+struct Site<'a> {
     text: &'a str,
     begin: usize,
     /// The innermost key there.
     key: String,
 }
 
-impl Place<'_> {
+impl Site<'_> {
     /// The line up to the error, and from it on.
     fn line(&self) -> (&str, &str) {
         let (before, after) = self.text.split_at(self.begin.min(self.text.len()));
@@ -61,16 +59,17 @@ fn quoted(message: &str) -> Vec<&str> {
     message.split('`').skip(1).step_by(2).collect()
 }
 
-fn unknown_key<T: DeserializeOwned>(at: &Place<'_>, message: &str) -> Option<String> {
+fn unknown_key<T: DeserializeOwned>(at: &Site<'_>, message: &str) -> Option<String> {
     let names = message.strip_prefix("unknown field ").map(quoted)?;
     let (unknown, known) = names.split_first()?;
     let section = at.key.strip_suffix(unknown).unwrap_or(&at.key).trim_end_matches('.');
     let here = if section.is_empty() { String::new() } else { format!(" in {section}") };
     if !section.is_empty() && is_key_of_the_top::<T>(unknown) {
-        return Some(format!(
-            "there is no key `{unknown}`{here}; it belongs to the top of the file, before the first \
-             [section]"
-        ));
+        let remedy = match at.line().0.trim_start().starts_with('[') {
+            true => format!("write [{unknown}]"),
+            false => "it belongs to the top of the file, before the first [section]".to_owned(),
+        };
+        return Some(format!("there is no key `{unknown}`{here}; {remedy}"));
     }
     let meant = did_you_mean(unknown, known.iter().copied());
     let end = if meant.is_empty() { "." } else { &meant };
@@ -78,21 +77,22 @@ fn unknown_key<T: DeserializeOwned>(at: &Place<'_>, message: &str) -> Option<Str
     Some(format!("there is no key `{unknown}`{here}{end} Known here: {}", known.join(", ")))
 }
 
-/// Whether the structure has this key on its own level: then a file with nothing else is wrong for
-/// another reason than an unknown key.
+/// Whether the structure has this key on its own level.
+///
+/// Then a file with nothing else is wrong for another reason than an unknown key.
 fn is_key_of_the_top<T: DeserializeOwned>(key: &str) -> bool {
     let alone = format!("\"{key}\" = 0");
     let unknown = format!("unknown field `{key}`");
     toml::from_str::<T>(&alone).err().is_none_or(|error| !error.message().starts_with(&unknown))
 }
 
-fn missing_key(at: &Place<'_>, message: &str) -> Option<String> {
+fn missing_key(at: &Site<'_>, message: &str) -> Option<String> {
     let name = message.strip_prefix("missing field ").map(quoted)?.first().copied()?;
     let key = if at.key.is_empty() { name.to_owned() } else { format!("{}.{name}", at.key) };
     Some(format!("{key} is missing"))
 }
 
-fn unknown_choice(at: &Place<'_>, message: &str) -> Option<String> {
+fn unknown_choice(at: &Site<'_>, message: &str) -> Option<String> {
     let names = message.strip_prefix("unknown variant ").map(quoted)?;
     let (unknown, known) = names.split_first()?;
     let meant = did_you_mean(unknown, known.iter().copied());
@@ -109,7 +109,7 @@ fn or(names: &[String]) -> String {
     }
 }
 
-fn wrong_type(at: &Place<'_>, message: &str, written: Option<&str>) -> Option<String> {
+fn wrong_type(at: &Site<'_>, message: &str, written: Option<&str>) -> Option<String> {
     let (kind, found_and_wanted) = message
         .split_once(": ")
         .filter(|(kind, _)| ["invalid type", "invalid value"].contains(kind))
@@ -117,7 +117,8 @@ fn wrong_type(at: &Place<'_>, message: &str, written: Option<&str>) -> Option<St
     let (found, wanted) = found_and_wanted.split_once(", expected ")?;
     let key = &at.key;
     if kind == "invalid length" {
-        return Some(format!("{key}: must be {wanted}, but has {found} values"));
+        let wanted = wanted.strip_prefix("an array of length ").unwrap_or(wanted);
+        return Some(format!("{key}: must have {wanted} values, but has {found}"));
     }
     if (found, wanted) == ("map", "a sequence") {
         return Some(format!("{key}: write [[{key}]] in double brackets, once for each"));
@@ -128,7 +129,7 @@ fn wrong_type(at: &Place<'_>, message: &str, written: Option<&str>) -> Option<St
         true if number.is_some() => ", without quotes",
         _ => "",
     };
-    let short = written.filter(|text| text.len() <= LONGEST_VALUE && !text.contains('\n'));
+    let short = written.filter(|value| is_short(value));
     Some(match short {
         Some(value) if !value.starts_with('[') => {
             format!("{key} = {value}: must be {wanted}{quotes}")
@@ -153,7 +154,7 @@ fn in_words(wanted: &str) -> &str {
     }
 }
 
-fn no_toml(at: &Place<'_>, message: &str, marked: Option<&str>) -> Option<String> {
+fn no_toml(at: &Site<'_>, message: &str, marked: Option<&str>) -> Option<String> {
     let (before, after) = at.line();
     if message == "duplicate key" {
         let name = marked.unwrap_or_default();
@@ -170,15 +171,18 @@ fn no_toml(at: &Place<'_>, message: &str, marked: Option<&str>) -> Option<String
             _ => format!("`{name}` stands twice; leave one of them out"),
         });
     }
-    let value = before.split_once('=').map(|(_, value)| value.trim());
-    let is_number = value.is_some_and(|value| value.parse::<f64>().is_ok());
-    if is_number && message.starts_with("unexpected key or value") {
-        return Some(match after.strip_prefix(',') {
-            Some(_) => "a number has a decimal point, not a comma".to_owned(),
-            None => "a number stands alone; its unit is at the end of the key".to_owned(),
+    if message.starts_with("string values must be quoted") {
+        let first = marked.and_then(|text| text.split_whitespace().next());
+        let is_number = first.is_some_and(|text| text.parse::<f64>().is_ok());
+        return Some(match is_number {
+            true => "a number stands alone; its unit is at the end of the key".to_owned(),
+            false => "a text needs quotes".to_owned(),
         });
     }
-    None
+    let value = before.split_once('=').map(|(_, value)| value.trim());
+    let is_number = value.is_some_and(|value| value.parse::<f64>().is_ok());
+    let decimal_comma = is_number && after.starts_with(',');
+    decimal_comma.then(|| "a number has a decimal point, not a comma".to_owned())
 }
 
 /// The name of a section whose line is split in two.
@@ -236,7 +240,7 @@ mod tests {
     }
 
     /// The first line of the message of a wrong file.
-    fn told(text: &str) -> String {
+    fn first_line(text: &str) -> String {
         let mistake = Document::new("s.toml", text).parse::<Scenario>().unwrap_err();
         mistake.to_string().lines().next().unwrap().to_owned()
     }
@@ -246,11 +250,11 @@ mod tests {
     #[test]
     fn unknown_keys_are_answered_with_the_one_that_is_meant_and_those_that_are_known() {
         assert_eq!(
-            told("duraton_s = 1"),
+            first_line("duraton_s = 1"),
             "s.toml:1:1: there is no key `duraton_s`; did you mean `duration_s`? Known here: \
              `duration_s`, `train_alone`, `title`, `stock`, `train`"
         );
-        let in_a_section = told(&format!("{TRAIN}sped = 1\n"));
+        let in_a_section = first_line(&format!("{TRAIN}sped = 1\n"));
         assert!(in_a_section.starts_with("s.toml:4:1: there is no key `sped` in train"));
         assert!(in_a_section.contains("Known here: `speed_m_per_s`, `scheme`"));
     }
@@ -259,50 +263,50 @@ mod tests {
     #[test]
     fn a_key_of_the_top_that_stands_in_a_section_is_sent_there() {
         assert_eq!(
-            told(&format!("{TRAIN}stock = \"stock\"\n")),
+            first_line(&format!("{TRAIN}stock = \"stock\"\n")),
             "s.toml:4:1: there is no key `stock` in train; it belongs to the top of the file, before \
              the first [section]"
         );
+        let section = first_line(&format!("{TRAIN}[train.stock]\n"));
+        assert_eq!(section, "s.toml:4:8: there is no key `stock` in train; write [stock]");
     }
 
     #[test]
     fn missing_keys_are_named_with_their_section() {
-        assert_eq!(told("title = \"t\""), "s.toml: duration_s is missing");
+        assert_eq!(first_line("title = \"t\""), "s.toml: duration_s is missing");
         let group = "[[train.vehicles]]\ntype = \"wagon\"\n";
-        let line = told(&format!("{TRAIN}{group}"));
+        let line = first_line(&format!("{TRAIN}{group}"));
         assert_eq!(line, "s.toml:4:1: train.vehicles[1].count is missing");
     }
 
     #[test]
-    fn types_are_told_in_words() {
+    fn types_are_named_in_words() {
         let quoted = "s.toml:1:14: duration_s = \"0.5\": must be a number, without quotes";
-        assert_eq!(told("duration_s = \"0.5\""), quoted);
+        assert_eq!(first_line("duration_s = \"0.5\""), quoted);
         assert_eq!(
-            told("duration_s = \"long\""),
+            first_line("duration_s = \"long\""),
             "s.toml:1:14: duration_s = \"long\": must be a number"
         );
         let count = format!("{TRAIN}vehicles = [{{ type = \"wagon\", count = -2 }}]");
         assert_eq!(
-            told(&count),
+            first_line(&count),
             "s.toml:4:39: train.vehicles[1].count = -2: must be a whole number"
         );
-        let alone = told("duration_s = 1\ntrain_alone = \"yes\"");
+        let alone = first_line("duration_s = 1\ntrain_alone = \"yes\"");
         assert_eq!(alone, "s.toml:2:15: train_alone = \"yes\": must be true or false");
-        let title = told("duration_s = 1\ntitle = 7");
+        let title = first_line("duration_s = 1\ntitle = 7");
         assert_eq!(title, "s.toml:2:9: title = 7: must be a text in quotes");
         assert!(
-            told("duration_s = 1\ntrain = 7").ends_with("must be a section with keys of its own")
+            first_line("duration_s = 1\ntrain = 7")
+                .ends_with("must be a section with keys of its own")
         );
-        let wind = told(&format!("{TRAIN}wind = [1.0]"));
-        assert!(
-            wind.contains("train.wind: must be an array of length 2, but has 1 values"),
-            "{wind}"
-        );
+        let wind = first_line(&format!("{TRAIN}wind = [1.0]"));
+        assert!(wind.contains("train.wind: must have 2 values, but has 1"), "{wind}");
     }
 
     #[test]
     fn choices_are_listed() {
-        let line = told(&format!("{TRAIN}scheme = \"jacoby\""));
+        let line = first_line(&format!("{TRAIN}scheme = \"jacoby\""));
         let wanted = "train.scheme = \"jacoby\": must be \"sequential\" or \"jacobi\"; did you mean \
                       `jacobi`?";
         assert_eq!(line, format!("s.toml:4:10: {wanted}"));
@@ -310,24 +314,26 @@ mod tests {
 
     #[test]
     fn brackets_and_double_keys_are_put_right() {
-        let single = told(&format!("{TRAIN}[train.vehicles]\ntype = \"wagon\"\ncount = 1\n"));
+        let single = first_line(&format!("{TRAIN}[train.vehicles]\ntype = \"wagon\"\ncount = 1\n"));
         assert!(
             single.ends_with("write [[train.vehicles]] in double brackets, once for each"),
             "{single}"
         );
         let mixed = "[train.vehicles]\ntype = \"a\"\n[[train.vehicles]]\ntype = \"b\"\n";
-        let mixed = told(&format!("{TRAIN}{mixed}"));
+        let mixed = first_line(&format!("{TRAIN}{mixed}"));
         assert!(mixed.contains("write [[train.vehicles]] in double brackets for each"), "{mixed}");
-        assert!(told("duration_s = 1\nduration_s = 2").ends_with("leave one of them out"));
-        let section = told(&format!("{TRAIN}[train]\n"));
+        assert!(first_line("duration_s = 1\nduration_s = 2").ends_with("leave one of them out"));
+        let section = first_line(&format!("{TRAIN}[train]\n"));
         assert!(section.ends_with("the section [train] stands twice; put its keys together"));
     }
 
     #[test]
     fn numbers_with_a_comma_or_a_unit_are_put_right() {
-        let comma = told("duration_s = 16,67");
+        let comma = first_line("duration_s = 16,67");
         assert_eq!(comma, "s.toml:1:16: a number has a decimal point, not a comma");
-        let unit = told("duration_s = 10 s");
+        let text = first_line("title = my train");
+        assert_eq!(text, "s.toml:1:9: a text needs quotes");
+        let unit = first_line("duration_s = 10 s");
         assert!(
             unit.ends_with("a number stands alone; its unit is at the end of the key"),
             "{unit}"
@@ -336,7 +342,7 @@ mod tests {
 
     #[test]
     fn what_is_not_known_here_is_passed_on() {
-        let open = told("title = \"open\nduration_s = 1");
+        let open = first_line("title = \"open\nduration_s = 1");
         assert!(open.starts_with("s.toml:1:"), "{open}");
         assert!(open.len() > "s.toml:1:14: ".len(), "{open}");
     }

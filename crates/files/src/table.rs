@@ -163,20 +163,20 @@ mod tests {
 
     #[test]
     fn rows_of_another_length_and_other_separators_are_answered() {
-        let told = |text: &str| {
+        let answer = |text: &str| {
             let file = Document::new("log.csv", text);
             Table::new(&file).unwrap_err().to_string()
         };
-        let short = told("a,b\n1,2\n3\n");
+        let short = answer("a,b\n1,2\n3\n");
         assert!(
             short.starts_with("log.csv:3:1: this row has 1 values, but the rows above it have 2")
         );
-        let semicolons = told("time;speed\n0;12,5\n");
+        let semicolons = answer("time;speed\n0;12,5\n");
         assert!(
             semicolons.starts_with("log.csv:1:5: values are separated by commas"),
             "{semicolons}"
         );
-        assert_eq!(told("a,b\n"), "log.csv: has no rows below the names of its columns");
+        assert_eq!(answer("a,b\n"), "log.csv: has no rows below the names of its columns");
     }
 
     /// Numbers that the program cannot compute with are refused as well.

@@ -112,8 +112,9 @@ impl fmt::Display for Call {
 const X: bool = true;
 const O: bool = false;
 
-/// The table of §4.2.4: `X` where a call is allowed. The rows stand in the order of [`Call`],
-/// the columns in the order of [`Phase`].
+/// The table of §4.2.4: `X` where a call is allowed.
+///
+/// The rows stand in the order of [`Call`], the columns in the order of [`Phase`].
 #[rustfmt::skip]
 const ALLOWED: [(Call, [bool; 6]); 30] = [
     //                              instantiated
@@ -154,7 +155,7 @@ const ALLOWED: [(Call, [bool; 6]); 30] = [
     (Call::GetStringStatus,          [O, O, X, X, X, O]),
 ];
 
-/// The phases in which a variable may be set (§4.2.4, the notes to the rows of the functions that set values).
+/// The phases in which a variable may be set (§4.2.4, notes to the rows of `fmi2SetReal` etc.).
 ///
 /// Inputs are taken in *instantiated* too, though note 1 names only variables whose `initial` is
 /// exact or approx, and inputs have no `initial` (§2.2.7). They have a start value, which is what

@@ -184,7 +184,7 @@ pub enum Error {
     },
 
     /// The status is that of an asynchronous step or of an unknown kind.
-    #[error("{call} has nothing to tell of status kind {kind}: no step runs asynchronously")]
+    #[error("{call} knows nothing of status kind {kind}: no step runs asynchronously")]
     NoStatus {
         /// The call.
         call: Call,
@@ -204,7 +204,7 @@ pub enum Error {
     #[error("the argument `{0}` is not UTF-8")]
     NotUtf8(&'static str),
 
-    /// A programming error; the model is given up.
+    /// A programming error; the instance has lost its model.
     #[error("{call} met a programming error: {message}")]
     Panic {
         /// The call.

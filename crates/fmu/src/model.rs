@@ -21,8 +21,10 @@ pub struct Identity {
     pub default_step: f64,
 }
 
-/// Why a model cannot go on, in a sentence for the user: which file, key or variable, its value,
-/// and what would be right. The FMU answers `fmi2Error` and logs it.
+/// Why a model cannot go on, in a sentence for the user.
+///
+/// The sentence names the file, key or variable, its value, and what would be right. The FMU logs
+/// it and answers `fmi2Error`.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{sentence}")]
 pub struct ModelError {
@@ -36,8 +38,9 @@ impl ModelError {
         Self { sentence: sentence.into(), step_too_long: false }
     }
 
-    /// A step that a model cannot do in one go, while it could do a shorter one: the FMU answers
-    /// `fmi2Discard`. The model and its outputs must be as they were before the step.
+    /// A step that is too long for the model, which could do a shorter one.
+    ///
+    /// The FMU answers `fmi2Discard`. The model and its outputs must be as before the step.
     pub fn step_too_long(sentence: impl Into<String>) -> Self {
         Self { sentence: sentence.into(), step_too_long: true }
     }
@@ -108,8 +111,9 @@ pub trait Model: Send + Sized + 'static {
     /// The handles of the declared variables.
     type Signals: Send + Sync + 'static;
 
-    /// All that changes in a step and is not in the outputs: what an FMU state saves. What is
-    /// computed once from parameters (tables, constants) does not belong to it.
+    /// All that changes in a step and is not in the outputs: what an FMU state saves.
+    ///
+    /// What is computed once from parameters, as tables are, does not belong to it.
     type State: Clone + Serialize + DeserializeOwned + Send + 'static;
 
     /// Declares the variables. Their number may depend on files in the FMU's `resources` folder.
@@ -133,17 +137,20 @@ pub trait Model: Send + Sized + 'static {
         log: &mut Log,
     ) -> Result<Self, ModelError>;
 
-    /// Refuses a run until `stop_time`, s, of which it can be foreseen that it fails on its way, as with a file of
-    /// measurements that ends before. Asked once initialised, if the simulation tool says when it will stop.
+    /// Refuses a run until `stop_time`, s, that is bound to fail.
+    ///
+    /// An example is a file of measurements that ends before. The FMU asks once the model is
+    /// initialised, if the simulation tool says when it will stop.
     ///
     /// # Errors
     /// When the run would fail.
-    fn foresee(&self, _stop_time: f64) -> Result<(), ModelError> {
+    fn check_until(&self, _stop_time: f64) -> Result<(), ModelError> {
         Ok(())
     }
 
-    /// Takes the model over the interval with the inputs in `values`, constant meanwhile, and
-    /// writes the outputs at its end.
+    /// Steps the model over the interval and writes the outputs at its end.
+    ///
+    /// The inputs in `values` are constant over the interval.
     ///
     /// # Errors
     /// When no result can be given that makes sense.
@@ -155,13 +162,13 @@ pub trait Model: Send + Sized + 'static {
         log: &mut Log,
     ) -> Result<(), ModelError>;
 
-    /// The state, for saving: borrowed where it lies, or put together for the purpose.
+    /// The state, for saving: borrowed, or put together for the purpose.
     fn state(&self) -> Cow<'_, Self::State>;
 
     /// Puts a saved state back; stepping on gives the same bits as before.
     fn restore(&mut self, state: Self::State);
 
-    /// The run has ended; the last chance to complete what the model writes to files.
+    /// Completes what the model writes to files, at the end of the run.
     ///
     /// # Errors
     /// When a file cannot be completed.

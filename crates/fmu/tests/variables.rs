@@ -72,6 +72,17 @@ fmu::variables! {
         area: "area", SQUARE_METRE;
     }
 
+    /// A table of Real variables alone, which is copied at once.
+    #[derive(Copy)]
+    pub struct Flow: output {
+        /// Mass of steam
+        mass: "mass", KILOGRAM;
+        /// Speed of the steam
+        speed: "speed", METRE_PER_SECOND;
+        /// Power of the steam
+        power: "power", WATT;
+    }
+
     /// Air around the kettle.
     #[derive(Copy)]
     pub struct Air: input {
@@ -278,6 +289,21 @@ fn what_is_written_is_read_back() {
 }
 
 #[test]
+fn a_table_of_reals_alone_is_written_to_its_handles_and_nowhere_else() {
+    let mut declaration = Declaration::default();
+    let before = declaration.real("before", unit::ONE, "Before").output();
+    let handles = Flow::declare(&mut declaration, "flow");
+    let after = declaration.real("after", unit::ONE, "After").output();
+    let mut values = declaration.start_values().clone();
+    let flow = Flow { mass: 1.0, speed: 2.0, power: 3.0 };
+    flow.write(&handles, &mut values);
+    let written = [before, handles.mass, handles.speed, handles.power, after];
+    assert_eq!(written.map(|handle| values[handle]), [0.0, 1.0, 2.0, 3.0, 0.0]);
+    values[handles.speed] = -7.0;
+    assert_eq!(Flow::read(&handles, &values), Flow { speed: -7.0, ..flow });
+}
+
+#[test]
 fn groups_are_written_where_they_stand() {
     let mut kettle = running();
     let air = kettle.signals().air.temperature.reference();
@@ -365,6 +391,20 @@ fn a_refused_value_leaves_the_old_one() {
     kettle.set_string(&[handles.heating.reference()], ["coal"]).unwrap_err();
     assert_eq!(kettle.values()[handles.volume], 2.0);
     assert_eq!(kettle.values()[handles.heating], "electric");
+}
+
+/// A model may rely on what its table says, also in an instance that was set into a saved state.
+#[test]
+fn a_saved_state_with_a_value_that_is_not_allowed_is_damaged() {
+    let mut kettle = running();
+    let bytes = kettle.save().unwrap().to_bytes();
+    assert!(kettle.deserialize_state(&bytes).is_ok());
+    let text = b"electric";
+    let at = bytes.windows(text.len()).position(|window| window == text).unwrap();
+    let mut damaged = bytes.clone();
+    damaged[at] = b'E';
+    let error = running().deserialize_state(&damaged).err().unwrap().to_string();
+    assert!(error.ends_with("a value is not one that can be set"), "{error}");
 }
 
 #[test]

@@ -117,6 +117,26 @@ mod tests {
         assert_eq!(at(9.0, &mut index), 0.0);
     }
 
+    /// The guess decides how long the search takes, not what it finds.
+    #[test]
+    fn property_the_interval_does_not_depend_on_the_guess() {
+        let x = [0.0, 1.0, 4.0, 9.0];
+        for (value, expected) in [(-1.0, 0), (0.0, 0), (1.0, 1), (3.9, 1), (4.0, 2), (99.0, 2)] {
+            for guess in [0, 1, 2, 3, 1000] {
+                assert_eq!(interval(&x, value, guess), expected, "{value} from {guess}");
+            }
+        }
+        assert_eq!(interval(&[5.0], 7.0, 3), 0);
+    }
+
+    #[test]
+    fn columns_of_different_length_and_infinite_values_are_refused() {
+        let table = |x: &[f64], y: &[f64]| LinearTable::new(x.to_vec(), y.to_vec()).unwrap_err();
+        assert_eq!(table(&[0.0, 1.0], &[0.0]), TableError::Shape { x: 2, y: 1 });
+        assert_eq!(table(&[], &[]), TableError::Shape { x: 0, y: 0 });
+        assert_eq!(table(&[0.0, 1.0], &[0.0, f64::NAN]), TableError::NotFinite { row: 2 });
+    }
+
     #[test]
     fn rows_that_do_not_rise_are_named() {
         let error = LinearTable::new(vec![0.0, 1.0, 1.0], vec![0.0; 3]).unwrap_err();

@@ -46,17 +46,17 @@ pub struct Brake {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AirBrake {
-    /// Speed along the train at which a service application is felt, m/s.
+    /// Speed along the train at which a service application arrives, m/s.
     pub service_wave_m_per_s: f64,
-    /// Speed at which a release is felt, m/s.
+    /// Speed at which a release arrives, m/s.
     pub release_wave_m_per_s: f64,
-    /// Speed at which an emergency application is felt, m/s.
+    /// Speed at which an emergency application arrives, m/s.
     pub emergency_wave_m_per_s: f64,
-    /// Cylinder pressure after a full service application is felt.
+    /// Cylinder pressure after the arrival of a full service application.
     pub build_up: FractionByTime,
-    /// Cylinder pressure after an emergency application is felt, as a fraction of its own.
+    /// Cylinder pressure after the arrival of an emergency application, as a fraction of its own.
     pub emergency_build_up: FractionByTime,
-    /// Share of the cylinder pressure that is gone after a release is felt.
+    /// Share of the cylinder pressure that is gone after the arrival of a release.
     pub release: FractionByTime,
     /// Whether the brake can be released by degrees; otherwise any release empties the cylinder.
     #[serde(default)]
@@ -75,15 +75,17 @@ pub struct Reservoir {
     /// What a kilometre of pipe adds to it, s.
     #[serde(default)]
     pub recharge_s_per_km: f64,
-    /// Share by which the pressure in the pipe falls in a minute while the brake is applied; zero
-    /// where the driver's valve maintains it.
+    /// Share of pressure that the pipe loses in a minute while the brake is applied.
+    ///
+    /// Zero where the driver's valve maintains it.
     #[serde(default)]
     pub pipe_leakage_per_min: f64,
     /// Share of the cylinder's own pressure that is lost in a minute.
     #[serde(default)]
     pub cylinder_leakage_per_min: f64,
-    /// Share by which the greatest cylinder pressure is less for each kilometre of pipe, because a
-    /// pipe that leaks holds less pressure at its end.
+    /// Share of the greatest cylinder pressure that a kilometre of pipe costs.
+    ///
+    /// A pipe that leaks holds less pressure at its end.
     #[serde(default)]
     pub gradient_per_km: f64,
 }

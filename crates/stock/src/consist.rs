@@ -119,7 +119,7 @@ mod tests {
     fn a_count_of_zero_is_refused_with_key_and_remedy() {
         let text = "vehicle = [{ type = 'loco' }, { type = 'wagon', count = 0 }]";
         let message = Consist::from_toml(text, "c.toml").unwrap_err().to_string();
-        assert!(message.starts_with("c.toml:1:55: vehicle[2].count = 0: must be at least 1"));
+        assert!(message.starts_with("c.toml:1:57: vehicle[2].count = 0: must be at least 1"));
     }
 
     #[test]

@@ -3,16 +3,16 @@
 use files::{Check, Mistake};
 use serde::Deserialize;
 
-/// How the curve resistance follows from the radius R, m.
+/// Formula of the curve resistance; the train model has the formulas themselves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CurveFormula {
-    /// `curve_n_m_per_t m/R`.
+    /// Proportional to mass and curvature, by `curve_n_m_per_t`.
     #[default]
     Radius,
-    /// `0.0004 m g D` with the degree of curve D over a chord of 100 ft, about 1746/R.
+    /// 0.8 lb for each short ton and degree of curve.
     Degree,
-    /// Roeckl: `650/(R − 55)` N/kN from 300 m on, `500/(R − 30)` below.
+    /// Röckl's formula, with one branch above 300 m of radius and one below.
     Roeckl,
     /// N/t by curvature from the table.
     Table,

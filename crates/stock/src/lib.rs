@@ -32,8 +32,6 @@ pub use brake::{
 pub use consist::{Consist, Member};
 pub use curve_resistance::{CurveFormula, CurveTable};
 pub use draft_gear::{Characteristic, DraftGear, ForceCurve, Orifice, Wedge};
-/// The checks of the files that people write, and the error that says what is wrong.
-pub use files::{Check, Mistake as StockError};
 pub use library::Library;
 pub use multibody::{
     Body, CentrePlate, CouplerAttachment, CreepLaw, CreepLawKind, Damper, Direction, Friction,

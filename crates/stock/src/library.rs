@@ -37,8 +37,10 @@ impl Library {
         }
     }
 
-    /// The library a vehicle file belongs to: the folder that holds the file's folder `vehicles`,
-    /// otherwise `stock/` beside the file, as in the resources of an FMU.
+    /// The library that a vehicle file belongs to.
+    ///
+    /// It is the folder that holds the file's folder `vehicles`, otherwise `stock/` beside the file, as
+    /// in the resources of an FMU.
     ///
     /// # Errors
     /// When there is none.

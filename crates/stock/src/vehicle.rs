@@ -166,3 +166,24 @@ impl Vehicle {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn coupler(text: &str) -> Coupler {
+        files::Document::new("v.toml", text).parse().unwrap()
+    }
+
+    #[test]
+    fn a_coupler_stands_at_both_ends_unless_the_rear_has_its_own() {
+        let front = "draft_gear = 'friction'\nslack_mm = 9.9\n";
+        let both = coupler(front);
+        assert_eq!((both.rear_kind(), both.rear_draft_gear()), ("automatic", "friction"));
+        assert_eq!(both.rear_slack_mm(), 9.9);
+        let rear = "[rear]\nkind = 'drawbar'\ndraft_gear = 'bar'\nslack_mm = 0.0\n";
+        let own = coupler(&format!("{front}{rear}"));
+        assert_eq!((own.rear_kind(), own.rear_draft_gear()), ("drawbar", "bar"));
+        assert_eq!((own.slack_mm, own.rear_slack_mm()), (9.9, 0.0));
+    }
+}

@@ -1,10 +1,13 @@
 //! `hotfoot critical-speed`: the speed at which a vehicle on straight track becomes unstable.
 
+use std::fmt::Write;
+
 use clap::Args;
-use miette::{Result, ensure};
 use vehicle::linear::Rolling;
 
 use crate::VehicleArgument;
+use crate::error::ToolError;
+use crate::number::positive;
 
 /// Arguments of `hotfoot critical-speed`.
 #[derive(Args)]
@@ -12,57 +15,52 @@ pub struct CriticalSpeedArguments {
     #[command(flatten)]
     vehicle: VehicleArgument,
     /// Equivalent conicities
-    #[arg(long, value_delimiter = ',', default_values_t = [0.05, 0.10, 0.15, 0.20, 0.30])]
+    #[arg(long, value_delimiter = ',', value_parser = positive, default_values_t = [0.05, 0.10, 0.15, 0.20, 0.30])]
     conicity: Vec<f64>,
     /// Half distance of the contacts of a wheelset, m; left out: that of the running circles
-    #[arg(long)]
+    #[arg(long, value_parser = positive)]
     half_distance: Option<f64>,
     /// Radius of the rail head, m
-    #[arg(long, default_value_t = 0.3)]
+    #[arg(long, default_value_t = 0.3, value_parser = positive)]
     rail_radius: f64,
     /// Greatest speed that is looked at, m/s
-    #[arg(long, default_value_t = 150.0)]
+    #[arg(long, default_value_t = 150.0, value_parser = positive)]
     greatest: f64,
     /// Print comma-separated values
     #[arg(long)]
     csv: bool,
 }
 
-/// Prints the linear critical speed for each conicity.
+/// The linear critical speed for each conicity, as a table or as comma-separated values.
 ///
 /// # Errors
 /// When the vehicle cannot be read.
-pub fn critical_speed(arguments: &CriticalSpeedArguments) -> Result<()> {
-    let positive = |value: &f64| value.is_finite() && *value > 0.0;
-    ensure!(arguments.conicity.iter().all(positive), "--conicity must be greater than zero");
-    ensure!(
-        arguments.half_distance.iter().all(positive),
-        "--half-distance must be greater than zero"
-    );
-    ensure!(positive(&arguments.rail_radius), "--rail-radius must be greater than zero");
-    ensure!(positive(&arguments.greatest), "--greatest must be greater than zero");
+pub fn critical_speed(arguments: &CriticalSpeedArguments) -> Result<String, ToolError> {
+    let CriticalSpeedArguments { rail_radius, greatest, csv, .. } = *arguments;
     let structure = arguments.vehicle.structure()?;
     let running_circles = structure.wheelsets[0].wheel.half_distance;
-    match arguments.csv {
-        true => println!("conicity,critical_speed_m_s,frequency_hz"),
-        false => println!("conicity  critical speed            frequency"),
-    }
+    let half_distance = arguments.half_distance.unwrap_or(running_circles);
+    let mut text = String::from(match csv {
+        true => "conicity,critical_speed_m_s,frequency_hz\n",
+        false => "conicity  critical speed            frequency\n",
+    });
     for &conicity in &arguments.conicity {
-        let half_distance = arguments.half_distance.unwrap_or(running_circles);
-        let rolling = Rolling { conicity, half_distance, rail_radius: arguments.rail_radius };
-        match rolling.critical_speed(&structure, arguments.greatest) {
-            Some(found) if arguments.csv => {
-                println!("{conicity},{:.2},{:.3}", found.speed, found.frequency);
+        let rolling = Rolling { conicity, half_distance, rail_radius };
+        let found = rolling.critical_speed(&structure, greatest);
+        let found = found.map(|found| (found.speed, found.frequency));
+        // Writing to a text cannot fail.
+        let _ = match (found, csv) {
+            (Some((speed, frequency)), true) => {
+                writeln!(text, "{conicity},{speed:.2},{frequency:.3}")
             }
-            Some(found) => println!(
-                "{conicity:8.3}  {:6.1} m/s ({:5.0} km/h)  {:6.2} Hz",
-                found.speed,
-                3.6 * found.speed,
-                found.frequency
+            (Some((speed, frequency)), false) => writeln!(
+                text,
+                "{conicity:8.3}  {speed:6.1} m/s ({:5.0} km/h)  {frequency:6.2} Hz",
+                3.6 * speed
             ),
-            None if arguments.csv => println!("{conicity},,"),
-            None => println!("{conicity:8.3}  stable up to {} m/s", arguments.greatest),
-        }
+            (None, true) => writeln!(text, "{conicity},,"),
+            (None, false) => writeln!(text, "{conicity:8.3}  stable up to {greatest} m/s"),
+        };
     }
-    Ok(())
+    Ok(text)
 }

@@ -9,13 +9,19 @@
 //! | `modes.rs` | `hotfoot modes`: natural frequencies, damping and shapes of a vehicle |
 //! | `critical_speed.rs` | `hotfoot critical-speed`: the speed at which it becomes unstable |
 //! | `plot.rs` | the page of curves that the two draw with `--plot` |
-//! | `vehicle_argument.rs` | the vehicle that a command is about |
+//! | `vehicle_argument.rs`, `number.rs` | the vehicle that a command is about, and the numbers of options |
+//! | `error.rs` | why a command cannot answer |
+//!
+//! A command gives the text that the program prints.
 
 pub mod contact;
 pub mod creep;
 pub mod critical_speed;
+mod error;
 pub mod modes;
+pub mod number;
 mod plot;
 mod vehicle_argument;
 
+pub use error::ToolError;
 pub use vehicle_argument::VehicleArgument;

@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use clap::Args;
-use miette::Result;
 use vehicle::linear::{Mode, Surfaces, System};
 use vehicle::structure::Structure;
 
 use crate::VehicleArgument;
+use crate::error::ToolError;
 
 /// Names of a body's coordinates.
 const COORDINATES: [&str; 6] = ["x", "y", "z", "roll", "pitch", "yaw"];
@@ -31,11 +31,11 @@ pub struct ModesArguments {
     csv: bool,
 }
 
-/// Prints the modes of a vehicle whose wheelsets are held.
+/// The modes of a vehicle whose wheelsets are held, as a table or as comma-separated values.
 ///
 /// # Errors
 /// When the vehicle cannot be read.
-pub fn modes(arguments: &ModesArguments) -> Result<()> {
+pub fn modes(arguments: &ModesArguments) -> Result<String, ToolError> {
     let structure = arguments.vehicle.structure()?;
     let surfaces = if arguments.stick { Surfaces::Stick } else { Surfaces::Slide };
     let mut system = System::new(&structure, surfaces).with_wheelsets_held(&structure);
@@ -43,9 +43,8 @@ pub fn modes(arguments: &ModesArguments) -> Result<()> {
         system = system.without_damping();
     }
     let modes = system.modes().oscillating;
-    let print = if arguments.csv { csv } else { table };
-    print!("{}", print(&structure, &modes));
-    Ok(())
+    let text = if arguments.csv { csv } else { table };
+    Ok(text(&structure, &modes))
 }
 
 /// The modes as a table, with the coordinates that hold most of the kinetic energy.

@@ -7,13 +7,14 @@ use std::error::Error;
 use std::ops::Range;
 use std::path::Path;
 
-use miette::{IntoDiagnostic, Result, WrapErr, ensure, miette};
 use plotters::coord::Shift;
 use plotters::prelude::{
     ChartBuilder, Circle, Color, DrawingArea, IntoDrawingArea, RGBColor, SVGBackend, Text, WHITE,
 };
 use plotters::series::LineSeries;
 use plotters::style::{IntoFont, TextStyle};
+
+use crate::error::{ToolError, ensure};
 
 /// Width of the page.
 const WIDTH: u32 = 1800;
@@ -82,21 +83,20 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    /// Draws the page into `file` and tells its name.
+    /// Draws the page into `file` and gives its name as the line that is printed.
     ///
     /// # Errors
     /// When the file is no SVG file by its name or cannot be written.
-    pub fn write(&self, file: &Path) -> Result<()> {
-        ensure!(
-            file.extension().is_some_and(|extension| extension == "svg"),
-            "--plot {}: the name must end in .svg",
-            file.display()
-        );
+    pub fn write(&self, file: &Path) -> Result<String, ToolError> {
+        let name = file.display().to_string();
+        let is_svg = file.extension().is_some_and(|extension| extension == "svg");
+        ensure(is_svg, format!("--plot {name}: the name must end in .svg"))?;
         let mut svg = String::new();
-        self.draw(&mut svg).map_err(|error| miette!("the plot cannot be drawn: {error}"))?;
-        std::fs::write(file, svg).into_diagnostic().wrap_err_with(|| file.display().to_string())?;
-        println!("{}", file.display());
-        Ok(())
+        self.draw(&mut svg).map_err(|error| ToolError::Plot(error.to_string()))?;
+        match std::fs::write(file, svg) {
+            Ok(()) => Ok(format!("{name}\n")),
+            Err(reason) => Err(ToolError::Write { file: name, reason }),
+        }
     }
 
     fn draw(&self, svg: &mut String) -> Result<(), Box<dyn Error>> {

@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use miette::{IntoDiagnostic, Result};
 use stock::Library;
 use vehicle::structure::Structure;
+
+use crate::error::ToolError;
 
 /// A vehicle of the rolling-stock library, or a vehicle file.
 #[derive(Args)]
@@ -22,13 +23,13 @@ impl VehicleArgument {
     ///
     /// # Errors
     /// When its file cannot be read or has no usable multibody section.
-    pub fn structure(&self) -> Result<Structure> {
+    pub fn structure(&self) -> Result<Structure, ToolError> {
         let file = match self.vehicle.extension().is_some_and(|extension| extension == "toml") {
             true => self.vehicle.clone(),
             false => self.stock.join("vehicles").join(&self.vehicle).with_added_extension("toml"),
         };
         let library = Library::of(&file).or_else(|_| Library::open(&self.stock));
-        let vehicle = library.and_then(|library| library.vehicle_from_file(&file));
-        Structure::new(&vehicle.into_diagnostic()?).into_diagnostic()
+        let vehicle = library.and_then(|library| library.vehicle_from_file(&file))?;
+        Ok(Structure::new(&vehicle)?)
     }
 }

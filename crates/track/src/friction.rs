@@ -15,7 +15,7 @@ use files::{Check, Mistake};
 use numerics::{Interpolation, Piecewise};
 use serde::Deserialize;
 
-use crate::check::check_order;
+use crate::chainages::check_order;
 
 /// Factor of the friction coefficient along the track.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -113,7 +113,7 @@ mod tests {
         let text = "friction = [{ chainage_m = 0.0, factor = 0.0 }]";
         let message = friction(text).unwrap_err().to_string();
         assert!(
-            message.contains("t.toml:1:43: friction[1].factor = 0.0: must lie between 0.05 and 3"),
+            message.contains("t.toml:1:42: friction[1].factor = 0.0: must lie between 0.05 and 3"),
             "{message}"
         );
     }

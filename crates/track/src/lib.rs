@@ -3,6 +3,7 @@
 //! | file | part |
 //! |---|---|
 //! | `content.rs`, `check.rs` | the keys of a track file, and what their values must be |
+//! | `chainages.rs` | the order of points along the track |
 //! | `file.rs` | the file is read, and each of its parts compiled |
 //! | `compile.rs` | from the file to the compiled track |
 //! | `track.rs` | the compiled track: what holds at a chainage |
@@ -13,6 +14,7 @@
 //! Positive curvature is a right-hand curve; positive cant lowers the right rail (the inner rail
 //! of a right-hand curve); a positive gradient rises in the running direction.
 
+mod chainages;
 mod check;
 mod compile;
 mod content;

@@ -81,7 +81,7 @@ mod tests {
                     vertical_stiffness_n_m = 60e6\nvertical_damping_n_s_m = 1e5";
         let message = TrackFile::new(text, "t.toml").unwrap().support().unwrap_err().to_string();
         assert!(
-            message.contains("t.toml:3:26: support.lateral_damping_n_s_m = 0.0: must be"),
+            message.contains("t.toml:3:25: support.lateral_damping_n_s_m = 0.0: must be"),
             "{message}"
         );
         assert_eq!(TrackFile::new("", "t.toml").unwrap().support().unwrap(), None);

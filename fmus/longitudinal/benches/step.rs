@@ -1,5 +1,6 @@
-//! Cost of a step of 1 ms of the paper's train, 2 locomotives and 128 wagons, through its FMI
-//! interface: divide by 130 for the cost of a vehicle.
+//! Cost of a step of 1 ms of the paper's train through its FMI interface.
+//!
+//! Divide by its 2 locomotives and 128 wagons for the cost of a vehicle.
 
 use std::path::Path;
 
@@ -31,7 +32,7 @@ fn bench_step(criterion: &mut Criterion, name: &str, command: &str) {
     let mut declaration = Declaration::default();
     let signals = Train::declare(folder.path(), &mut declaration).expect("a consist that is right");
     let mut values = declaration.start_values().clone();
-    values[signals.velocity] = 16.67;
+    values[signals.train.initial.velocity] = 16.67;
     let mut log = Log::default();
     let mut train = Train::initialize(&signals, &mut values, folder.path(), 0.0, &mut log)
         .expect("resources that are right");

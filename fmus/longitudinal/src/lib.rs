@@ -28,7 +28,7 @@ mod train;
 
 pub use command::Command;
 pub use interface::model::{State, Train};
-pub use interface::signals::{Signals, VehicleSignals};
+pub use interface::signals::{Signals, TrainSignals, VehicleSignals};
 pub use line::wind::Wind;
 pub use train::build::BuildError;
 pub use train::dynamics::{TrainDynamics, TrainState};

@@ -102,7 +102,7 @@ fn analytic_outputs_obey_newton() {
 }
 
 #[test]
-fn analytic_first_vehicle_starts_where_it_is_told() {
+fn analytic_first_vehicle_starts_at_the_initial_position() {
     let folder = resources(CONSIST, DRIVER);
     let mut fmu = Fmu::start(folder.path(), &[("initial.position", 500.0)]).unwrap();
     assert_eq!(fmu.get("vehicle[1].position"), 500.0);

@@ -34,4 +34,4 @@ pub mod section;
 pub mod weather;
 
 pub use heat_model::HeatModel;
-pub use interface::{FILE_NAME, FileError, RailHeat, Shape, Signals, State};
+pub use interface::{FILE_NAME, RailHeat, Shape, Signals, State};

@@ -76,12 +76,16 @@ impl Line {
         })
     }
 
-    /// The first loaded wheel that stands outside the line.
-    pub fn first_stray(&self, wheels: &[Wheel]) -> Option<Stray> {
+    /// The first loaded wheel that stands outside the line, if none was `found` before.
+    pub fn first_stray(&self, wheels: &[Wheel], found: &mut bool) -> Option<Stray> {
+        if *found {
+            return None;
+        }
         let is_stray = |wheel: &Wheel| {
             wheel.contact.normal_force > 0.0 && self.element(wheel.position).is_none()
         };
         let wheel = wheels.iter().position(is_stray)?;
+        *found = true;
         Some(Stray { wheel, position: wheels[wheel].position })
     }
 }
@@ -152,7 +156,10 @@ mod tests {
             ..Wheel::default()
         };
         let wheels = [at(100.0, 1e5), at(200.0, 0.0), at(40.0, 1e5)];
-        assert_eq!(LINE.first_stray(&wheels), Some(Stray { wheel: 2, position: 40.0 }));
-        assert_eq!(LINE.first_stray(&wheels[..2]), None);
+        let mut found = false;
+        assert_eq!(LINE.first_stray(&wheels[..2], &mut found), None);
+        let stray = Stray { wheel: 2, position: 40.0 };
+        assert_eq!(LINE.first_stray(&wheels, &mut found), Some(stray));
+        assert_eq!(LINE.first_stray(&wheels, &mut found), None, "once");
     }
 }

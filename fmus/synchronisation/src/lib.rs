@@ -1,5 +1,6 @@
-//! The controller that keeps one vehicle at its place in the train, as a model of its own, so
-//! that a system of FMUs is complete without Hotfoot's master.
+//! The controller that keeps a vehicle model in step with the train model, as a model of its own.
+//!
+//! With it a system of FMUs is complete without Hotfoot's master.
 //!
 //! The law stands in the crate `controller`, which the master uses too. Here are the FMU's variables
 //! (`signals.rs`), and how a step takes and gives them (`interface.rs`).

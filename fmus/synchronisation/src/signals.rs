@@ -1,4 +1,4 @@
-//! The FMU's variables, and their way to the controller.
+//! The FMU's variables, and their conversion to those of the controller.
 
 fmu::variables! {
     /// All variables.

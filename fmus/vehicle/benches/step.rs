@@ -7,9 +7,9 @@ use std::sync::Arc;
 use criterion::{Criterion, criterion_group, criterion_main};
 use track::Track;
 use vehicle::dynamics::Dynamics;
-use vehicle::inputs::Inputs;
-use vehicle::line::Line;
+use vehicle::dynamics::inputs::Inputs;
 use vehicle::structure::Structure;
+use vehicle::track::Line;
 
 fn structure() -> Arc<Structure> {
     let stock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../stock");

@@ -5,29 +5,46 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Work and heat since the start, J.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Account {
-    /// Work of both couplers on the vehicle.
-    pub couplers: f64,
-    /// Work of the drives.
-    pub traction: f64,
-    /// Work of the resistance, negative as a rule.
-    pub resistance: f64,
-    /// Work of the synchronising force.
-    pub synchronisation: f64,
-    /// Heat in the friction brake.
-    pub brake_heat: f64,
-    /// Heat in springs' damping and dampers.
-    pub suspension_heat: f64,
-    /// Friction heat of all contacts.
-    pub friction_heat: f64,
-    /// Heat in the normal damping of the contacts.
-    pub contact_heat: f64,
-    /// Heat in the support of the rails.
-    pub track_heat: f64,
-    /// Work of the irregularities, which move the rails under the wheels.
-    pub irregularities: f64,
+fmu::variables! {
+    /// Energy that the vehicle holds, J.
+    #[derive(Copy, Default)]
+    pub struct Stored: output {
+        /// Kinetic energy
+        kinetic: "kinetic", JOULE;
+        /// Elastic energy of suspension and contacts.
+        ///
+        /// Against the unloaded contact and the springs' static load.
+        elastic: "elastic", JOULE;
+        /// Energy of height
+        gravity: "gravity", JOULE;
+    }
+
+    /// Work and heat since the start, J.
+    #[derive(Copy, Default, Serialize, Deserialize)]
+    pub struct Account: output {
+        /// Work of both couplers since the start
+        couplers: "work.couplers", JOULE;
+        /// Work of the drives since the start
+        traction: "work.traction", JOULE;
+        /// Work of the resistance since the start.
+        ///
+        /// Negative as a rule.
+        resistance: "work.resistance", JOULE;
+        /// Work of the synchronising force since the start
+        synchronisation: "work.sync", JOULE;
+        /// Heat in the friction brake since the start
+        brake_heat: "heat.brake", JOULE;
+        /// Heat in the suspension since the start
+        suspension_heat: "heat.suspension", JOULE;
+        /// Heat by creep since the start
+        friction_heat: "heat.friction", JOULE;
+        /// Heat in the contacts' damping since the start
+        contact_heat: "heat.contact", JOULE;
+        /// Heat in the support of the rails since the start
+        track_heat: "heat.track", JOULE;
+        /// Work of the irregularities, which move the rails, since the start
+        irregularities: "work.irregularities", JOULE;
+    }
 }
 
 impl Account {
@@ -44,17 +61,6 @@ impl Account {
             + self.contact_heat
             + self.track_heat
     }
-}
-
-/// Energy that the vehicle holds, J.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Stored {
-    /// Motion.
-    pub kinetic: f64,
-    /// Springs and contacts, against the unloaded contact and the springs' static load.
-    pub elastic: f64,
-    /// Height.
-    pub gravity: f64,
 }
 
 impl Stored {

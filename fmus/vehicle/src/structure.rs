@@ -1,57 +1,14 @@
-//! A vehicle file compiled into flat arrays: bodies, wheelsets and elements by index.
+//! What a vehicle is: bodies, wheelsets and elements by index, constant in a run.
 
-use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::sync::Arc;
 
-use contact::{ContactError, CreepLaw, GeometryTable, ProfilePair};
-use contact::{RailProfile, WheelProfile};
+use contact::{CreepLaw, GeometryTable};
 use nalgebra::Vector3;
-use stock::Multibody;
 
 use crate::body::RigidBody;
-use crate::creep_law;
-use crate::linear;
-use crate::slip_mobility::SlipMobility;
-use crate::statics::{self, Loose};
+use crate::contact::WheelData;
+use crate::contact::slip_mobility::SlipMobility;
 use crate::suspension::Suspension;
-use crate::suspension::compile::index;
-use crate::wheel::WheelData;
-
-/// Why a vehicle file gives no vehicle.
-#[derive(Debug, thiserror::Error)]
-pub enum StructureError {
-    /// It has only longitudinal data.
-    #[error("vehicle \"{vehicle}\" has no section [multibody], which the 3D vehicle model needs")]
-    NoMultibody {
-        /// Name of the vehicle.
-        vehicle: String,
-    },
-    /// Wheel and rail do not go together.
-    #[error("vehicle \"{vehicle}\", {key}: {source}")]
-    Contact {
-        /// Name of the vehicle.
-        vehicle: String,
-        /// What is wrong in its file.
-        key: &'static str,
-        /// Reason.
-        source: ContactError,
-    },
-    /// A body can move without any spring holding it.
-    #[error(
-        "vehicle \"{vehicle}\", section [multibody]: no spring holds body \"{body}\" in \
-         {coordinate}; every body must be held against the wheelsets in all directions"
-    )]
-    Loose {
-        /// Name of the vehicle.
-        vehicle: String,
-        /// Name of the body.
-        body: String,
-        /// Coordinate in which it can move.
-        coordinate: &'static str,
-    },
-}
-
-/// Structures of vehicles that are in use: a train of 250 vehicles has few types.
-static STRUCTURES: Mutex<Vec<(stock::Vehicle, Weak<Structure>)>> = Mutex::new(Vec::new());
 
 /// What a vehicle is: everything that does not change in a run, except the friction coefficient.
 #[derive(Clone, Debug)]
@@ -92,123 +49,8 @@ pub struct WheelsetData {
 }
 
 impl Structure {
-    /// Compiles a vehicle of the stock library.
-    ///
-    /// # Errors
-    /// When the vehicle has no multibody section or its parts do not fit each other.
-    pub fn new(vehicle: &stock::Vehicle) -> Result<Self, StructureError> {
-        let name = || vehicle.name.clone();
-        let multibody = multibody(vehicle)?;
-        let bodies = bodies(multibody);
-        let wheelsets = wheelsets(multibody, &bodies)
-            .map_err(|(key, source)| StructureError::Contact { vehicle: name(), key, source })?;
-        let car = &bodies[0];
-        let coupler = |end: f64| {
-            let height = multibody.coupler.height_m;
-            Vector3::new(end - car.along, -car.across, car.height - height)
-        };
-        let half = 0.5 * vehicle.length_m;
-        let mut structure = Self {
-            highest_frequency: 0.0,
-            couplers: [coupler(half), coupler(-half)],
-            suspension: Suspension::new(multibody, &bodies),
-            creep: creep_law::compiled(&multibody.contact.creep),
-            bodies,
-            wheelsets,
-        };
-        statics::preload(&mut structure).map_err(|Loose { body, coordinate }| {
-            StructureError::Loose { vehicle: name(), body, coordinate }
-        })?;
-        structure.highest_frequency = linear::highest_frequency(&structure);
-        Ok(structure)
-    }
-
-    /// The same, compiled once for all instances of this vehicle in the process.
-    ///
-    /// # Errors
-    /// As [`Self::new`].
-    pub fn shared(vehicle: &stock::Vehicle) -> Result<Arc<Self>, StructureError> {
-        let mut structures = STRUCTURES.lock().unwrap_or_else(PoisonError::into_inner);
-        structures.retain(|(_, structure)| structure.strong_count() > 0);
-        let known = structures.iter().find(|(known, _)| known == vehicle);
-        if let Some(structure) = known.and_then(|(_, structure)| structure.upgrade()) {
-            return Ok(structure);
-        }
-        let structure = Arc::new(Self::new(vehicle)?);
-        structures.push((vehicle.clone(), Arc::downgrade(&structure)));
-        Ok(structure)
-    }
-
     /// Sum of all masses, kg.
     pub fn mass(&self) -> f64 {
         self.bodies.iter().map(|body| body.mass).sum()
     }
-}
-
-/// The section of a vehicle file that this model needs.
-///
-/// # Errors
-/// When the vehicle has none.
-pub fn multibody(vehicle: &stock::Vehicle) -> Result<&Multibody, StructureError> {
-    let section = vehicle.multibody.as_ref();
-    section.ok_or_else(|| StructureError::NoMultibody { vehicle: vehicle.name.clone() })
-}
-
-fn bodies(multibody: &Multibody) -> Vec<RigidBody> {
-    let bodies = multibody.body.iter().map(|body| RigidBody {
-        name: body.name.clone(),
-        mass: body.mass_kg,
-        inertia: body.inertia_kg_m2.into(),
-        along: body.x_m,
-        across: body.y_m,
-        height: body.height_m,
-        turns: false,
-    });
-    let wheelsets = multibody.wheelset.iter().map(|wheelset| RigidBody {
-        name: wheelset.name.clone(),
-        mass: wheelset.mass_kg,
-        inertia: wheelset.inertia_kg_m2.into(),
-        along: wheelset.x_m,
-        across: 0.0,
-        height: wheelset.wheel_radius_m,
-        turns: true,
-    });
-    bodies.chain(wheelsets).collect()
-}
-
-fn wheelsets(
-    multibody: &Multibody,
-    bodies: &[RigidBody],
-) -> Result<Vec<WheelsetData>, (&'static str, ContactError)> {
-    let contact = &multibody.contact;
-    let wheel =
-        WheelProfile::named(&contact.wheel).map_err(|error| ("multibody.contact.wheel", error))?;
-    let rail =
-        RailProfile::named(&contact.rail).map_err(|error| ("multibody.contact.rail", error))?;
-    let powered = multibody.wheelset.iter().filter(|w| w.powered).count();
-    let count = multibody.wheelset.len();
-    let mut wheelsets = Vec::with_capacity(count);
-    for wheelset in &multibody.wheelset {
-        let pair = ProfilePair {
-            wheel: wheel.clone(),
-            rail: rail.clone(),
-            rail_inclination: contact.rail_inclination,
-            gauge: contact.gauge_mm * 1e-3,
-            flange_back_distance: contact.flange_back_distance_mm * 1e-3,
-            nominal_radius: wheelset.wheel_radius_m,
-        };
-        let body = index(bodies, &wheelset.name);
-        let (radius, half_distance) = (wheelset.wheel_radius_m, pair.running_circle());
-        wheelsets.push(WheelsetData {
-            body,
-            frame: index(bodies, &wheelset.frame),
-            wheel: WheelData { radius, half_distance, damping: contact.damping_s_m },
-            slip_mobility: SlipMobility::new(&bodies[body], radius),
-            table: GeometryTable::shared(&pair).map_err(|error| ("multibody.contact", error))?,
-            static_wheel_load: 0.0,
-            traction_share: if wheelset.powered { 1.0 / powered as f64 } else { 0.0 },
-            brake_share: 1.0 / count as f64,
-        });
-    }
-    Ok(wheelsets)
 }

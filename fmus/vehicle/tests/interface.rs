@@ -7,7 +7,7 @@ use vehicle::Vehicle;
 
 const TRACK: &str = "alignment = [{ length_m = 1e5, radius_m = 800.0, cant_mm = 40.0 }]";
 
-/// A resources folder with the reference vehicle and a track.
+/// A resources folder with the locomotive and a track.
 fn resources(name: &str, vehicle: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let stock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../stock/vehicles");

@@ -5,7 +5,7 @@ use roxmltree::{Document, Node};
 /// An element of the text.
 pub type Element<'x> = Node<'x, 'x>;
 
-/// A variable with what is not written put in: the defaults of §2.2.7.
+/// A variable, with the defaults of §2.2.7 for what it does not state.
 pub struct Variable<'x> {
     /// The element `ScalarVariable`.
     pub element: Element<'x>,
@@ -67,7 +67,7 @@ fn variable((element, index): (Element<'_>, usize)) -> Variable<'_> {
     }
 }
 
-/// The `initial` of a variable that states none (§2.2.7, table of the defaults).
+/// The default of `initial` (§2.2.7, table of the defaults).
 fn implied_initial(causality: &str, variability: &str) -> Option<&'static str> {
     match (causality, variability) {
         ("parameter", _) | (_, "constant") => Some("exact"),
@@ -77,7 +77,7 @@ fn implied_initial(causality: &str, variability: &str) -> Option<&'static str> {
 }
 
 impl<'x> Variable<'x> {
-    /// Name of its type; empty where none stands there.
+    /// Name of its type; empty where the element is missing.
     pub fn type_name(&self) -> &'x str {
         self.kind.map_or("", |kind| kind.tag_name().name())
     }
@@ -98,7 +98,7 @@ pub fn children<'x>(element: Element<'x>, name: &'static str) -> impl Iterator<I
     element.children().filter(move |child| child.has_tag_name(name))
 }
 
-/// A number that an attribute holds; none where it is missing or no number.
+/// The number that an attribute holds; `None` where it is missing or is not a number.
 pub fn number(element: Element<'_>, attribute: &str) -> Option<f64> {
     element.attribute(attribute)?.trim().parse().ok()
 }

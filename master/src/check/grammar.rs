@@ -38,7 +38,7 @@ pub struct Schema {
     pub name: &'static str,
     /// Attributes.
     pub attributes: &'static [Attribute],
-    /// Places for child elements in order; none: anything may stand inside.
+    /// Slots for child elements in order; `None`: anything may stand inside.
     pub slots: Option<&'static [Slot]>,
 }
 

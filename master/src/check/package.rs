@@ -76,7 +76,7 @@ fn binary(fmu: &Path, folder: &Path, interface: &Interface) -> Vec<Finding> {
     }
 }
 
-/// There is no binary for this platform: none at all, or one for another.
+/// The finding for an FMU that has no binary at all, or only those of other platforms.
 fn missing_binary(folder: &Path, location: String) -> Finding {
     let platforms: Vec<String> = std::fs::read_dir(folder.join("binaries"))
         .into_iter()

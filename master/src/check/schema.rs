@@ -183,3 +183,42 @@ fn is_date_time(text: &str) -> bool {
     first.bytes().zip(FORM).all(|(own, form)| fits((&own, form)))
         && rest.bytes().all(|byte| byte.is_ascii_digit() || b".Z+-:".contains(&byte))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a value may be written as: XML Schema Part 2 (W3C 2004), sections 3.2.2 boolean, 3.2.5 double,
+    /// 3.2.7 dateTime, 3.3.17 int and 3.3.22 unsignedInt; white space around a value does not count (4.3.6).
+    #[test]
+    fn benchmark_values_are_those_of_xml_schema() {
+        let words = Value::Word(&["fixed", "tunable"]);
+        let list = Value::WordList(&["dependent", "constant"]);
+        let cases: [(&Value, &[&str], &[&str]); 8] = [
+            (
+                &Value::Real,
+                &["1", "-1.5e-3", "+2", ".5", " 3 "],
+                &["", "one", "1,5", "infinity", "1 2"],
+            ),
+            (&Value::Integer, &["0", "-2147483648", "2147483647"], &["1.0", "2147483648", ""]),
+            (&Value::Unsigned, &["0", "4294967295"], &["-1", "4294967296", "1.0", ""]),
+            (&Value::UnsignedList, &["", "1", "1 2  3"], &["1,2", "1 -2"]),
+            (&Value::Boolean, &["true", "false", "1", "0"], &["True", "yes", "2", ""]),
+            (
+                &Value::DateTime,
+                &["2026-11-22T09:30:00Z", "2026-11-22T09:30:00.25+01:00"],
+                &["2026-11-22", "2026-11-22 09:30:00Z", "22.11.2026", "2026-11-22T09:30:00 noon"],
+            ),
+            (&words, &["fixed", "tunable"], &["Fixed", "fixed tunable", ""]),
+            (&list, &["", "dependent", "constant dependent"], &["dependent,constant", "fixed"]),
+        ];
+        for (value, right, wrong) in cases {
+            for text in right {
+                assert_eq!(value.refuses(text), None, "'{text}'");
+            }
+            for text in wrong {
+                assert!(value.refuses(text).is_some(), "'{text}'");
+            }
+        }
+    }
+}

@@ -65,7 +65,7 @@ fn not_given(description: &Description<'_>, breaches: &mut Breaches) {
     }
 }
 
-/// A number of a variable, or of its declared type where the variable states none.
+/// A number that a variable states, else that of its declared type.
 fn stated(description: &Description<'_>, variable: &Variable<'_>, attribute: &str) -> Option<f64> {
     let kind = variable.kind?;
     let declared = || -> Option<Element<'_>> {

@@ -49,7 +49,7 @@ pub(super) fn unknowns<'x>(description: &Description<'x>, list: &str) -> Vec<Ele
     list.into_iter().flat_map(|list| super::description::children(list, "Unknown")).collect()
 }
 
-/// The index of an unknown; none where it is missing or no number.
+/// The index of an unknown; `None` where it is missing or is not a number.
 fn index(unknown: Element<'_>) -> Option<usize> {
     unknown.attribute("index")?.trim().parse().ok()
 }

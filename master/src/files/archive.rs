@@ -103,8 +103,8 @@ fn unpack_within(limits: Limits, archive: &Path, target: &Path) -> Result<(), Ar
     Ok(())
 }
 
-/// The entries of an archive that are packed in another way than stored or deflated, which is all
-/// that FMI 2.0 allows (§2.3), and the ways.
+/// The entries of an archive that are packed by another method than stored or deflated, which is all
+/// that FMI 2.0 allows (§2.3), and the methods.
 ///
 /// # Errors
 /// When the archive cannot be read or is damaged.

@@ -43,7 +43,7 @@ pub struct Callbacks {
     pub allocate: unsafe extern "C" fn(usize, usize) -> *mut c_void,
     /// `free`.
     pub free: unsafe extern "C" fn(*mut c_void),
-    /// Told when an asynchronous step has ended; none is allowed.
+    /// Called when an asynchronous step has ended; may be null.
     pub step_finished: *const c_void,
     /// Given back to the logger.
     pub environment: *mut c_void,

@@ -94,3 +94,71 @@ unsafe extern "C" fn hotfoot_take_message(
         unsafe { (&*environment.cast::<Messages>(), CStr::from_ptr(message).to_string_lossy()) };
     messages.add(status, text.into_owned());
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `fmi2CallbackLogger` of FMI 2.0 §2.1.5: environment, instance, status, category, format and what it
+    /// formats.
+    type Logger =
+        unsafe extern "C" fn(*mut c_void, *const c_char, c_int, *const c_char, *const c_char, ...);
+
+    fn logger(callbacks: &Callbacks) -> Logger {
+        // SAFETY: `logger.c` defines the function with this type.
+        unsafe { std::mem::transmute::<*const c_void, Logger>(callbacks.logger) }
+    }
+
+    /// The message is formatted as `printf` of C does (C11, 7.21.6.1).
+    #[test]
+    fn what_an_fmu_logs_is_formatted() {
+        let messages = Messages::default();
+        let callbacks = callbacks(&messages);
+        let log = logger(&callbacks);
+        // SAFETY: the texts are C strings, and the arguments those of the format.
+        unsafe {
+            log(
+                callbacks.environment,
+                c"vehicle".as_ptr(),
+                super::super::binding::WARNING,
+                c"logStatusWarning".as_ptr(),
+                c"%s wheel lifts at %.2f s, %d times".as_ptr(),
+                c"left".as_ptr(),
+                1.5_f64,
+                3,
+            );
+        }
+        let expected = "left wheel lifts at 1.50 s, 3 times";
+        assert_eq!(messages.last().as_deref(), Some(expected));
+        assert_eq!(messages.take_warnings(), [expected]);
+        assert!(messages.take_warnings().is_empty(), "they are taken out");
+    }
+
+    #[test]
+    fn a_warning_without_message_is_noted_and_one_with_a_message_is_not_noted_twice() {
+        let messages = Messages::default();
+        messages.note_warning("fmi2DoStep");
+        assert_eq!(messages.take_warnings(), ["fmi2DoStep returned fmi2Warning without a message"]);
+        messages.add(super::super::binding::WARNING, "low oil".to_owned());
+        messages.note_warning("fmi2DoStep");
+        assert_eq!(messages.take_warnings(), ["low oil"]);
+    }
+
+    #[test]
+    fn an_fmu_that_warns_in_each_step_does_not_fill_the_memory() {
+        let messages = Messages::default();
+        for step in 0..1000 {
+            messages.add(super::super::binding::WARNING, format!("step {step}"));
+        }
+        assert_eq!(messages.take_warnings().len(), MAX_WARNINGS);
+        assert_eq!(messages.last().as_deref(), Some("step 999"), "the last one explains an error");
+    }
+
+    #[test]
+    fn an_ordinary_message_is_no_warning() {
+        let messages = Messages::default();
+        messages.add(super::super::binding::OK, "started".to_owned());
+        assert_eq!(messages.last().as_deref(), Some("started"));
+        assert!(messages.take_warnings().is_empty());
+    }
+}

@@ -23,7 +23,7 @@ pub struct Text {
 }
 
 /// The page with the equations, from texts that follow one another. Links between the texts lead to
-/// their place on the page; of links to files that are not on it the words stay.
+/// their heading on the page; of links to files that are not on it the words stay.
 pub fn equations_page(texts: &[Text]) -> String {
     let mut body = String::new();
     for text in texts {
@@ -49,7 +49,7 @@ pub fn equations_page(texts: &[Text]) -> String {
     )
 }
 
-/// Where a link in the text of a file leads from the page; none if nowhere.
+/// Where a link in the text of a file leads from the page; `None` where its target is not there.
 fn destination(file: &Path, link: &str, texts: &[Text]) -> Option<String> {
     if link.contains("://") {
         return Some(link.to_owned());
@@ -74,7 +74,7 @@ fn plain(path: &Path) -> PathBuf {
     plain
 }
 
-/// The name of a text's place on the page.
+/// The anchor of a text on the page.
 fn anchor(file: &Path) -> String {
     file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }

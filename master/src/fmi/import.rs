@@ -175,9 +175,13 @@ impl Import {
 
     /// The folder of the FMU's resources as a file URI.
     pub(super) fn resource_uri(&self) -> String {
-        let path = self.resources();
-        format!("file://{}", utf8_percent_encode(&path.to_string_lossy(), NOT_IN_URI))
+        file_uri(&self.resources())
     }
+}
+
+/// A path as a URI of the scheme `file` (RFC 8089), its other characters by percent (RFC 3986, 2.1).
+fn file_uri(path: &Path) -> String {
+    format!("file://{}", utf8_percent_encode(&path.to_string_lossy(), NOT_IN_URI))
 }
 
 /// Reads the model description of an unpacked FMU.
@@ -192,4 +196,39 @@ pub fn read_interface(folder: &Path, file: &str) -> Result<Interface, ImportErro
 pub fn binary_path(identifier: &str) -> PathBuf {
     let name = format!("{identifier}{}", std::env::consts::DLL_SUFFIX);
     Path::new("binaries").join(PLATFORM).join(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// RFC 8089, appendix B, and RFC 3986, 2.1: the octets of UTF-8 in hexadecimal.
+    #[test]
+    fn benchmark_a_path_is_a_uri() {
+        for (path, uri) in [
+            ("/path/to/file", "file:///path/to/file"),
+            ("/a folder/100 %", "file:///a%20folder/100%20%25"),
+            ("/Züge/#1?", "file:///Z%C3%BCge/%231%3F"),
+        ] {
+            assert_eq!(file_uri(Path::new(path)), uri);
+        }
+    }
+
+    /// FMI 2.0 §2.3: the folder of the platform and the file's name.
+    #[cfg(all(target_os = "linux", target_pointer_width = "64"))]
+    #[test]
+    fn a_binary_lies_in_the_folder_of_its_platform() {
+        let path = binary_path("BouncingBall");
+        assert_eq!(path, Path::new("binaries/linux64/BouncingBall.so"));
+    }
+
+    #[test]
+    fn a_folder_without_description_is_no_fmu() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = read_interface(folder.path(), "some.fmu").unwrap_err().to_string();
+        assert!(
+            error.contains("some.fmu is not an FMU: it has no modelDescription.xml"),
+            "{error}"
+        );
+    }
 }

@@ -1,6 +1,8 @@
 //! The interface of an FMU as its modelDescription.xml states it (FMI 2.0 §2.2).
 
 pub mod name_pattern;
+#[cfg(test)]
+mod published_tests;
 pub mod si;
 mod xml;
 
@@ -268,5 +270,52 @@ mod tests {
         let xml = XML.replace("fmiVersion=\"2.0\"", "fmiVersion=\"3.0\"");
         let error = Interface::from_xml(&xml).unwrap_err().to_string();
         assert!(error.contains("FMI 3.0"), "{error}");
+    }
+
+    /// The attributes and the kinds of variables of FMI 2.0 §2.2.7 and §4.3.1.
+    #[test]
+    fn kinds_start_values_and_capabilities_are_read() {
+        let xml = XML
+            .replace("canBeInstantiatedOnlyOncePerProcess=\"true\"", "canGetAndSetFMUstate=\"true\"")
+            .replace(
+                "<ModelVariables>",
+                r#"<ModelVariables>
+                <ScalarVariable name="mode" valueReference="3" causality="parameter">
+                  <Enumeration declaredType="Mode" start="2"/></ScalarVariable>
+                <ScalarVariable name="on" valueReference="3" causality="input">
+                  <Boolean start="true"/></ScalarVariable>
+                <ScalarVariable name="height" valueReference="9" causality="output" description="Height">
+                  <Real/></ScalarVariable>
+                <ScalarVariable name="energy" valueReference="8" causality="output">
+                  <Real/></ScalarVariable>"#,
+            );
+        let interface = Interface::from_xml(&xml).unwrap();
+        assert!(interface.can_get_and_set_state && !interface.once_per_process);
+        assert!(!interface.variable_step, "false where it is not stated");
+        let kind = |name| interface.variable(name).unwrap().kind;
+        assert_eq!(kind("mode"), VariableType::Integer, "an enumeration is exchanged as Integer");
+        assert_eq!(kind("on"), VariableType::Boolean);
+        assert_eq!(interface.variable("mode").unwrap().start.as_deref(), Some("2"));
+        assert_eq!(interface.variable("height").unwrap().description, "Height");
+        // A value reference means something for one kind only.
+        assert_eq!(interface.name_of(VariableType::Integer, 3), Some("mode"));
+        assert_eq!(interface.name_of(VariableType::Boolean, 3), Some("on"));
+        assert_eq!(interface.name_of(VariableType::Real, 3), Some("axle[1].force"));
+        assert_eq!(interface.name_of(VariableType::Real, 77), None);
+        let names = |except| -> Vec<&str> {
+            interface.real_outputs(except).iter().map(|output| output.name.as_str()).collect()
+        };
+        assert_eq!(names("-"), ["energy", "height"], "by value reference");
+        assert_eq!(names("energy"), ["height"]);
+    }
+
+    #[test]
+    fn what_is_no_co_simulation_fmu_is_refused_in_words() {
+        let exchange = XML.replace("CoSimulation modelIdentifier", "ModelExchange modelIdentifier");
+        let exchange = exchange.replace("</CoSimulation>", "</ModelExchange>");
+        let error = Interface::from_xml(&exchange).unwrap_err().to_string();
+        assert!(error.contains("no co-simulation interface"), "{error}");
+        let error = Interface::from_xml("<html>").unwrap_err().to_string();
+        assert!(error.contains("modelDescription.xml cannot be read"), "{error}");
     }
 }

@@ -9,7 +9,7 @@ pub fn matches(pattern: &str, name: &str) -> bool {
         return false;
     };
     // The star may stand for any part of what is left.
-    let ends = name.char_indices().map(|(place, _)| place).chain([name.len()]);
+    let ends = name.char_indices().map(|(index, _)| index).chain([name.len()]);
     ends.into_iter().any(|end| matches(rest, &name[end..]))
 }
 

@@ -65,21 +65,21 @@ impl Accumulator {
         every(self.columns, &self.last, column)
     }
 
-    /// Mean in every row since the last [`Self::restart`] of the column that stands at a place among
+    /// Mean in every row since the last [`Self::restart`] of a column, by its index among
     /// those whose means are kept; not-a-number until observed.
-    pub fn mean(&self, place: usize) -> impl Iterator<Item = f64> {
-        every(self.means.len(), &self.sums, place).zip(&self.counts).map(|(sum, count)| sum / count)
+    pub fn mean(&self, index: usize) -> impl Iterator<Item = f64> {
+        every(self.means.len(), &self.sums, index).zip(&self.counts).map(|(sum, count)| sum / count)
     }
 
-    /// Lowest value in every row since the last [`Self::restart`] of the column that stands at a
-    /// place among those whose extremes are kept.
-    pub fn lowest(&self, place: usize) -> impl Iterator<Item = f64> {
-        every(self.extremes.len(), &self.lowest, place)
+    /// Lowest value in every row since the last [`Self::restart`] of a column, by its
+    /// index among those whose extremes are kept.
+    pub fn lowest(&self, index: usize) -> impl Iterator<Item = f64> {
+        every(self.extremes.len(), &self.lowest, index)
     }
 
     /// Highest value, as [`Self::lowest`].
-    pub fn highest(&self, place: usize) -> impl Iterator<Item = f64> {
-        every(self.extremes.len(), &self.highest, place)
+    pub fn highest(&self, index: usize) -> impl Iterator<Item = f64> {
+        every(self.extremes.len(), &self.highest, index)
     }
 
     /// Begins the next interval at the last values.

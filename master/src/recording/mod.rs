@@ -22,6 +22,8 @@ mod tables;
 mod writer;
 
 #[cfg(test)]
+mod other_reader_tests;
+#[cfg(test)]
 mod tests;
 
 use std::path::{Path, PathBuf};

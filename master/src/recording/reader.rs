@@ -63,8 +63,8 @@ impl SeriesReader {
         let mut wanted: Vec<usize> = keys.iter().map(|key| key.0).chain([column]).collect();
         wanted.sort_unstable();
         wanted.dedup();
-        // The file is read only where it is wanted: these are the places in what is read.
-        let place = |index: usize| wanted.partition_point(|&other| other < index);
+        // The file is read only where it is wanted: these are the indices in what is read.
+        let position = |index: usize| wanted.partition_point(|&other| other < index);
 
         let mut values = vec![];
         for file in &self.files {
@@ -74,9 +74,9 @@ impl SeriesReader {
             for batch in reader.map_err(RecordingError::parquet(file))? {
                 let batch = batch.map_err(RecordingError::parquet(file))?;
                 let selected = |row: &usize| {
-                    keys.iter().all(|&(index, value)| has(&batch, place(index), *row, value))
+                    keys.iter().all(|&(index, value)| has(&batch, position(index), *row, value))
                 };
-                let column = numbers(batch.column(place(column)).as_ref());
+                let column = numbers(batch.column(position(column)).as_ref());
                 values.extend((0..batch.num_rows()).filter(selected).map(|row| column[row]));
             }
         }

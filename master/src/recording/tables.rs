@@ -122,10 +122,10 @@ pub fn vehicle_keys(count: usize) -> Vec<Key> {
     vehicle_keys_of(1..=count)
 }
 
-/// The keys of a table of some vehicles, which stand at these places from the head of the train.
-pub fn vehicle_keys_of(places: impl IntoIterator<Item = usize>) -> Vec<Key> {
-    let number = |place| i32::try_from(place).unwrap_or(i32::MAX);
-    let numbers = places.into_iter().map(number).collect();
+/// The keys of a table of some vehicles, which have these numbers from the head of the train.
+pub fn vehicle_keys_of(numbers: impl IntoIterator<Item = usize>) -> Vec<Key> {
+    let saturated = |number| i32::try_from(number).unwrap_or(i32::MAX);
+    let numbers = numbers.into_iter().map(saturated).collect();
     vec![integer_key("vehicle", "Number of the vehicle from the head of the train", numbers)]
 }
 

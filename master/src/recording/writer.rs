@@ -63,11 +63,11 @@ impl SeriesWriter {
             let (table, column) = (name.to_owned(), field.name().clone());
             return Err(RecordingError::OneName { table, column });
         }
-        let places = |has: fn(&Column) -> bool| -> Vec<usize> {
+        let indices = |has: fn(&Column) -> bool| -> Vec<usize> {
             let wanted = columns.iter().enumerate().filter(|(_, column)| has(column));
             wanted.map(|(index, _)| index).collect()
         };
-        let (means, extremes) = (places(Column::has_mean), places(Column::has_extremes));
+        let (means, extremes) = (indices(Column::has_mean), indices(Column::has_extremes));
         Ok(Self {
             parts: Parts::create(folder, name)?,
             buffers: vec![vec![]; fields.len() - 1 - keys.len()],

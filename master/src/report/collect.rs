@@ -92,7 +92,7 @@ fn vehicle(
 
 /// The field at the wanted times, each with the positions of the vehicles at that time.
 ///
-/// `positions` holds the vehicles' positions record by record; none stands there after the run. A
+/// `positions` holds the vehicles' positions record by record, and ends with the run. A
 /// wanted time that the field has not reached is left out, as is one that falls on the same
 /// snapshot as another.
 fn rail_field(

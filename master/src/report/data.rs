@@ -40,7 +40,7 @@ pub struct MainFigure {
     pub key: String,
     /// What it is.
     pub name: String,
-    /// The value in SI units; none if there is none, such as the time of what never happened.
+    /// The value in SI units; `None` for the time of what never happened.
     pub value: Option<f64>,
     /// SI unit of the value.
     pub unit: String,
@@ -98,7 +98,7 @@ pub struct RailData {
     pub figures: Vec<MainFigure>,
     /// Its energies at the end of the run.
     pub energy: Vec<EnergyLine>,
-    /// What cameras see of its foot; none if the model does not tell.
+    /// What cameras see of its foot; `None` if the model has no foot.
     pub foot: Option<Foot>,
     /// Heat per metre by source, at the probes and in the mean.
     pub heat: Vec<HeatAt>,

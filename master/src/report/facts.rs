@@ -19,7 +19,7 @@ pub struct RunFacts {
     /// Names of further outputs that are recorded, with `*` for any text.
     #[serde(default)]
     pub outputs: Vec<String>,
-    /// The heated rails; none without rail heat.
+    /// The heated rails; `None` without rail heat.
     #[serde(default)]
     pub rails: Option<RailFacts>,
     /// What was foreseen before the first step, such as wheels outside the modelled rail.

@@ -154,7 +154,7 @@ fn vehicle_figure(
 const NEAR: f64 = 20.0;
 
 /// Rise of the foot over untouched rail: along the track over the whole time, and under the last
-/// wheel while the train runs; none if no rail's model tells it.
+/// wheel while the train runs; `None` if no rail's model has it.
 pub(super) fn foot(rails: &[RailData], facts: &RailFacts) -> Result<Option<Figure>, ReportError> {
     let feet: Vec<(&str, &Foot)> =
         rails.iter().filter_map(|rail| Some((rail.side.as_str(), rail.foot.as_ref()?))).collect();
@@ -199,7 +199,7 @@ pub(super) fn foot(rails: &[RailData], facts: &RailFacts) -> Result<Option<Figur
     }))
 }
 
-/// Heat per metre by source, a panel for each rail; none if no rail's model tells it.
+/// Heat per metre by source, a panel for each rail; `None` if no rail's model has it.
 pub(super) fn heat(rails: &[RailData]) -> Result<Option<Figure>, ReportError> {
     let mut panels = vec![];
     for rail in rails.iter().filter(|rail| !rail.heat.is_empty()) {

@@ -175,7 +175,7 @@ fn thinned(abscissa: &[f64], curve: &Curve, factor: f64) -> Vec<Point> {
     .collect()
 }
 
-/// The range of an axis: a little more than its values, and never nothing.
+/// The range of an axis: a little more than that of its values, and never empty.
 fn padded(lowest: f64, highest: f64) -> Range<f64> {
     let span = highest - lowest;
     let least = 1e-3 * highest.abs().max(lowest.abs());

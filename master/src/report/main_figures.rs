@@ -90,7 +90,7 @@ fn motion(vehicles: &SeriesReader) -> Result<Vec<MainFigure>, RecordingError> {
     ])
 }
 
-/// An extreme over all vehicles and times; nothing if no value was ever finite.
+/// An extreme over all vehicles and times; `None` if no value is finite.
 fn of_vehicles(
     vehicles: &SeriesReader,
     (key, name): (&str, &str),

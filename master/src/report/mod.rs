@@ -42,6 +42,8 @@ mod system;
 mod write;
 
 #[cfg(test)]
+mod drawing_tests;
+#[cfg(test)]
 mod invented;
 #[cfg(test)]
 mod system_tests;

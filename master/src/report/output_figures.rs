@@ -96,7 +96,7 @@ fn means(
     Ok(means)
 }
 
-/// The first of the most extreme values; nothing if no value is finite.
+/// The first of the most extreme values; `None` if no value is finite.
 fn extreme(means: &[Means], is_better: fn(f64, f64) -> bool) -> Option<Found<'_>> {
     let mut best: Option<Found<'_>> = None;
     for of in means {

@@ -42,7 +42,7 @@ pub struct ComponentFacts {
     pub name: String,
     /// Name of its FMU's file.
     pub fmu: String,
-    /// Name of the table of its outputs; none if it has no numbers to give.
+    /// Name of the table of its outputs; `None` if it has no numeric outputs.
     pub series: Option<String>,
     /// Wall time of its steps, s.
     pub wall_time_s: f64,

@@ -2,13 +2,12 @@
 
 use std::path::Path;
 
-use miette::Diagnostic;
+use files::Mistake;
 
 use crate::files::file_error::FileError;
 use crate::report::ReportError;
 use crate::run::after::{FailedStep, StepFailure};
 use crate::run::observe_error::ObserveError;
-use crate::scenario::ScenarioError;
 use crate::ssp::SspError;
 use crate::system::parallel::ThreadsError;
 use crate::system::start::StartError;
@@ -16,12 +15,11 @@ use crate::system::unit::UnitError;
 use crate::train::error::PrepareError;
 
 /// Why a run of a scenario or of a system, or an export, failed.
-#[derive(Debug, thiserror::Error, Diagnostic)]
+#[derive(Debug, thiserror::Error)]
 pub enum RunError {
     /// The scenario is wrong.
     #[error(transparent)]
-    #[diagnostic(transparent)]
-    Scenario(#[from] ScenarioError),
+    Scenario(#[from] Mistake),
     /// The scenario's units cannot be set up.
     #[error("scenario {file}: {source}")]
     Prepare {

@@ -1,98 +1,131 @@
 //! What is wrong with a scenario: bounds of its values, and what one key demands of another.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use files::{Check, Mistake};
 use garde::Validate;
 
 use super::file::Scenario;
-use super::fmus::VehicleReplacement;
-
-/// A key whose value is wrong, and why.
-pub struct Wrong {
-    /// The key, such as `train.vehicles[0].count`.
-    pub key: String,
-    /// What is wrong and what would be right.
-    pub message: String,
-}
 
 /// Checks the bounds of all values and what one key demands of another.
-pub fn check(scenario: &Scenario) -> Result<(), Wrong> {
+pub fn check(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     if let Err(report) = scenario.validate()
         && let Some((path, error)) = report.iter().next()
     {
-        return Err(Wrong { key: path.to_string(), message: error.to_string() });
+        return Err(check.wrong(&from_one(&path.to_string()), in_words(error.message())));
     }
-    check_across_keys(scenario).map_err(|(key, message)| Wrong { key: key.to_owned(), message })
+    check_vehicles(scenario, check)?;
+    check_train_alone(scenario, check)?;
+    check_times(scenario, check)
 }
 
-/// Rules that concern more than one key.
-fn check_across_keys(scenario: &Scenario) -> Result<(), (&'static str, String)> {
+/// The key of the bounds' library, which counts from zero, as one that counts from one.
+fn from_one(path: &str) -> String {
+    let mut parts = path.split('[');
+    let mut key = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (index, rest) = part.split_once(']').unwrap_or((part, ""));
+        match index.parse::<usize>() {
+            Ok(index) => key += &format!("[{}]{rest}", index + 1),
+            Err(_) => key += &format!("[{part}"),
+        }
+    }
+    key
+}
+
+/// The sentence of the bounds' library about what is wrong, as one about what is right.
+fn in_words(message: &str) -> Cow<'_, str> {
+    for (wrong, right) in [
+        ("lower than ", "must be at least "),
+        ("greater than ", "must be at most "),
+        ("length is lower than 1", "must not be empty"),
+    ] {
+        if let Some(bound) = message.strip_prefix(wrong) {
+            return format!("{right}{bound}").into();
+        }
+    }
+    message.into()
+}
+
+/// Numbers of vehicles lie in the train, and each has one FMU.
+fn check_vehicles(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     let count = scenario.vehicle_count();
-    if let Some(replaced) = scenario.fmus.vehicle_at.iter().find(|v| v.place > count) {
-        let message =
-            format!("place {} is behind the tail: the train has {count} vehicles", replaced.place);
-        return Err(("fmus.vehicle_at", message));
+    let behind = format!("is behind the tail: the train has {count} vehicles");
+    let mut replaced = BTreeSet::new();
+    for (i, other) in scenario.fmus.vehicle_at.iter().enumerate() {
+        let check = check.element("fmus.vehicle_at", i);
+        check.ensure(other.place <= count, "place", other.place, &behind)?;
+        let again = !replaced.insert(other.place);
+        check.ensure(!again, "place", other.place, "has an FMU already; leave one of them out")?;
+        if other.file.is_none() && !other.names.is_empty() {
+            return Err(check.refuse("names", "names belong to an FMU; name its file, too"));
+        }
     }
-    let places = scenario.fmus.vehicle_at.iter().map(|replaced| replaced.place);
-    if let Some(place) = first_twice(places) {
-        let message = format!("there are two FMUs for place {place}; leave one of them out");
-        return Err(("fmus.vehicle_at", message));
-    }
-    let named = |other: &&VehicleReplacement| other.file.is_none() && !other.names.is_empty();
-    if let Some(other) = scenario.fmus.vehicle_at.iter().find(named) {
-        let message = format!("place {}: names belong to an FMU; name its file, too", other.place);
-        return Err(("fmus.vehicle_at", message));
-    }
-    if let Some(place) = scenario.record.wheels_of.iter().find(|&&place| place > count) {
-        let message = format!("{place} is behind the tail: the train has {count} vehicles");
-        return Err(("record.wheels_of", message));
-    }
-    if scenario.train_alone && scenario.heat.is_some() {
-        let message = "the rail is heated by wheels; leave [heat] out, or train_alone".to_owned();
-        return Err(("train_alone", message));
-    }
-    if scenario.train_alone
-        && (scenario.fmus.vehicle.is_some() || !scenario.fmus.vehicle_at.is_empty())
-    {
-        let message = "a train alone has no vehicle FMUs; leave fmus.vehicle and fmus.vehicle_at out, \
-                       or train_alone";
-        return Err(("train_alone", message.to_owned()));
-    }
-    if let Some(step) = scenario.heat.as_ref().and_then(|heat| heat.step_s)
-        && !is_multiple(step, scenario.step_s)
-    {
-        let message = not_a_multiple(step, scenario.step_s);
-        return Err(("heat.step_s", message));
-    }
-    if let Some(heat) = &scenario.heat
-        && heat.trains.count > 1
-        && heat.trains.headway_minutes * 60.0 < scenario.duration_s
-    {
-        let message = format!(
-            "{} min are less than duration_s = {} s; a train follows when the one before it has run",
-            heat.trains.headway_minutes, scenario.duration_s
-        );
-        return Err(("heat.trains.headway_minutes", message));
-    }
-    if !is_multiple(scenario.record.interval_s, scenario.step_s) {
-        let message = not_a_multiple(scenario.record.interval_s, scenario.step_s);
-        return Err(("record.interval_s", message));
+    for (i, number) in scenario.record.wheels_of.iter().enumerate() {
+        let key = format!("record.wheels_of[{}]", i + 1);
+        check.ensure(*number <= count, &key, number, &behind)?;
     }
     Ok(())
 }
 
-/// The first number that was there before.
-fn first_twice(numbers: impl Iterator<Item = usize>) -> Option<usize> {
-    let mut seen = BTreeSet::new();
-    numbers.into_iter().find(|number| !seen.insert(*number))
+fn check_train_alone(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
+    if !scenario.train_alone {
+        return Ok(());
+    }
+    let wanted = "the rail is heated by wheels; leave [heat] out, or train_alone";
+    check.ensure(scenario.heat.is_none(), "train_alone", true, wanted)?;
+    let fmus = &scenario.fmus;
+    let wanted = "a train alone has no vehicle FMUs; leave fmus.vehicle and fmus.vehicle_at out, or \
+                  train_alone";
+    let none = fmus.vehicle.is_none() && fmus.vehicle_at.is_empty();
+    check.ensure(none, "train_alone", true, wanted)
 }
 
-fn not_a_multiple(value: f64, step: f64) -> String {
-    format!("{value} s is not a multiple of step_s = {step} s")
+/// Steps and intervals fit into each other.
+fn check_times(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
+    let step = scenario.step_s;
+    let multiple = |key: &str, time: f64| {
+        let wanted = format!("must be a multiple of step_s = {step} s");
+        check.ensure(is_multiple(time, step), key, time, &wanted)
+    };
+    if let Some(heat) = &scenario.heat {
+        if let Some(step) = heat.step_s {
+            multiple("heat.step_s", step)?;
+        }
+        let headway = heat.trains.headway_minutes;
+        let follows = heat.trains.count <= 1 || headway * 60.0 >= scenario.duration_s;
+        let wanted = format!(
+            "{headway} min are less than duration_s = {} s; a train follows when the one before it has run",
+            scenario.duration_s
+        );
+        check.ensure(follows, "heat.trains.headway_minutes", headway, &wanted)?;
+    }
+    multiple("record.interval_s", scenario.record.interval_s)
 }
 
 /// Whether `value` is `step` times a whole number from one.
 fn is_multiple(value: f64, step: f64) -> bool {
     let times = (value / step).round();
     times >= 1.0 && (times * step - value).abs() <= 1e-9 * value
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_count_from_one() {
+        assert_eq!(from_one("train.vehicles[0].count"), "train.vehicles[1].count");
+        assert_eq!(from_one("record.heat_maps_at_s[9]"), "record.heat_maps_at_s[10]");
+        assert_eq!(from_one("step_s"), "step_s");
+    }
+
+    #[test]
+    fn bounds_are_told_as_what_is_right() {
+        assert_eq!(in_words("lower than 0.001"), "must be at least 0.001");
+        assert_eq!(in_words("greater than 60"), "must be at most 60");
+        assert_eq!(in_words("length is lower than 1"), "must not be empty");
+        assert_eq!(in_words("something else"), "something else");
+    }
 }

@@ -44,7 +44,7 @@ pub struct Scenario {
     /// The driver.
     #[garde(dive)]
     pub driver: Driver,
-    /// How vehicles are kept at their place in the train.
+    /// How vehicles are kept at their position in the train.
     #[serde(default)]
     #[garde(dive)]
     pub synchronisation: Synchronisation,
@@ -83,8 +83,9 @@ pub struct Train {
     /// Speed at the start, m/s.
     #[garde(range(min = 0.0, max = 60.0))]
     pub speed_m_per_s: f64,
-    /// How the couplers are at the start; left out: as the train's FMU has it, which is in balance
-    /// for Hotfoot's own.
+    /// How the couplers are at the start.
+    ///
+    /// Left out: as the train's FMU has it, which is in balance for Hotfoot's own.
     #[garde(skip)]
     pub couplers: Option<Couplers>,
     /// Wind over the line; left out: none.
@@ -112,8 +113,9 @@ pub struct Wind {
     /// Speed of the air, m/s.
     #[garde(range(min = 0.0, max = 60.0))]
     pub speed_m_per_s: f64,
-    /// Angle that it comes from, to the right of the heading at the beginning of the track; 0 is a
-    /// head wind there.
+    /// Angle that it comes from, to the right of the heading at the beginning of the track.
+    ///
+    /// 0 is a head wind there.
     #[serde(default)]
     #[garde(range(min = -360.0, max = 360.0))]
     pub direction_deg: f64,
@@ -163,8 +165,9 @@ pub struct Driver {
     pub with: Vec<PathBuf>,
 }
 
-/// Gains of the controllers that keep each vehicle at its place in the train:
-/// F = -(Kp e + Ki ∫e dt + Kd de/dt), e = position of the vehicle less its place in the train.
+/// Gains of the controllers that keep each vehicle at its position in the train.
+///
+/// F = -(Kp e + Ki ∫e dt + Kd de/dt) with e, the vehicle's own position less that in the train.
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct Synchronisation {
@@ -197,13 +200,15 @@ pub struct Record {
     /// Time between two rows, s; extremes in between are kept.
     #[garde(range(min = 1e-6, max = 1e4))]
     pub interval_s: f64,
-    /// Places in the train (from one) of the vehicles whose wheels are recorded and which the
-    /// report plots; left out: the locomotive at the head, a second one, and three more.
+    /// Numbers, from 1, of the vehicles whose wheels are recorded and which the report plots.
+    ///
+    /// Left out: the locomotive at the head, a second one, and three more.
     #[garde(inner(range(min = 1)))]
     pub wheels_of: Vec<usize>,
-    /// Further outputs of these vehicles, by their names in the FMU, where `*` stands for any text:
-    /// `"*.derailment_quotient"`. They stand in `series/outputs`, with their means and extremes, and
-    /// the main figures have the highest and the lowest mean of each name.
+    /// Further outputs of these vehicles, by their names in the FMU.
+    ///
+    /// `*` stands for any text: `"*.derailment_quotient"`. They stand in `series/outputs`, with their means
+    /// and extremes, and the main figures have the highest and the lowest mean of each name.
     #[garde(inner(length(min = 1)))]
     pub outputs: Vec<String>,
     /// Times whose temperature field the report shows, s.
@@ -241,17 +246,19 @@ impl Scenario {
         self.train.vehicles.iter().map(|group| group.count).sum()
     }
 
-    /// The vehicles whose wheels are recorded: those asked for, or the head of the train, its
-    /// second vehicle, one near the head, the middle and the tail.
+    /// The vehicles whose wheels are recorded.
+    ///
+    /// Those of `wheels_of`, or the head of the train, its second vehicle, one near the head, the middle
+    /// and the tail.
     pub fn recorded_vehicles(&self) -> Vec<usize> {
         let count = self.vehicle_count();
-        let mut places = match self.record.wheels_of.as_slice() {
+        let mut numbers = match self.record.wheels_of.as_slice() {
             [] => vec![1, 2, 3, count.div_ceil(2), count],
             given => given.to_vec(),
         };
-        places.retain(|&place| place <= count);
-        places.sort_unstable();
-        places.dedup();
-        places
+        numbers.retain(|&number| number <= count);
+        numbers.sort_unstable();
+        numbers.dedup();
+        numbers
     }
 }

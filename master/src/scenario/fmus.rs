@@ -28,8 +28,9 @@ pub struct Fmus {
     /// For single vehicles.
     #[garde(dive)]
     pub vehicle_at: Vec<VehicleReplacement>,
-    /// Whether a step that an FMU discards is tried again in up to 16 parts, from the state before
-    /// it; costs a saved state of every FMU in each step.
+    /// Whether a step that an FMU discards is tried again in up to 16 parts.
+    ///
+    /// Each try begins from the state before the step, which costs a saved state of every FMU in each step.
     #[garde(skip)]
     pub retry_discarded_steps: bool,
 }
@@ -38,11 +39,10 @@ pub struct Fmus {
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct VehicleReplacement {
-    /// Place in the train, counted from one.
+    /// Number of the vehicle in the train, from 1.
     #[garde(range(min = 1))]
     pub place: usize,
-    /// FMU, relative to the scenario's file; left out: the one that stands there anyway, with other
-    /// parameters.
+    /// FMU, relative to the scenario's file; left out: that of the others.
     #[garde(skip)]
     pub file: Option<PathBuf>,
     /// Its names for our signals, where they differ: `"sync.force" = "control_force"`.

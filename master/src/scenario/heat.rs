@@ -20,8 +20,9 @@ pub struct Heat {
     #[serde(default)]
     #[garde(skip)]
     pub rail: Rail,
-    /// Step of the exchange with the rail, s: a multiple of the scenario's `step_s`; what the
-    /// wheels do in between is averaged.
+    /// Step of the exchange with the rail, s: a multiple of the scenario's `step_s`.
+    ///
+    /// What the wheels do in between is averaged.
     #[garde(range(min = 1e-6, max = 10.0))]
     pub step_s: Option<f64>,
     /// Chainage at which the modelled rail begins, m; left out: behind the tail of the train.

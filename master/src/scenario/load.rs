@@ -1,154 +1,58 @@
 //! Reading a scenario file, with messages that point at the line.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use miette::{Diagnostic, NamedSource, SourceSpan};
-use toml::de::{DeTable, DeValue};
+use files::{Check, Document, Mistake};
 
-use super::check::{Wrong, check};
+use super::check::check;
 use super::file::Scenario;
 use super::value::Value;
-
-/// Why a scenario cannot be run.
-#[derive(Debug, thiserror::Error, Diagnostic)]
-pub enum ScenarioError {
-    /// The file cannot be read.
-    #[error("scenario {file} cannot be read: {source}")]
-    Read {
-        /// File.
-        file: String,
-        /// Reason.
-        source: std::io::Error,
-    },
-    /// A key or value is wrong.
-    #[error("scenario {file}: {message}")]
-    Wrong {
-        /// File.
-        file: String,
-        /// What is wrong and what is allowed.
-        message: String,
-        /// The text of the file.
-        #[source_code]
-        text: Arc<NamedSource<String>>,
-        /// Where.
-        #[label("here")]
-        place: Option<SourceSpan>,
-    },
-    /// The scenario is wrong with the times of the command line.
-    #[error("scenario {file} with {options}: {message}")]
-    Times {
-        /// File.
-        file: String,
-        /// The options with their values.
-        options: String,
-        /// Key, what is wrong and what is allowed.
-        message: String,
-    },
-    /// A file that the scenario names is missing.
-    #[error("scenario {file}: {key} = \"{value}\": there is no such {what} at {path}")]
-    Missing {
-        /// Scenario.
-        file: String,
-        /// Key.
-        key: String,
-        /// Value.
-        value: String,
-        /// What it should be.
-        what: &'static str,
-        /// Path looked at.
-        path: String,
-    },
-}
 
 /// The file of the scenario at `path`, which may be its folder.
 pub fn file_of(path: &Path) -> PathBuf {
     if path.is_dir() { path.join("scenario.toml") } else { path.to_owned() }
 }
 
-/// Reads the scenario at `path` (the file, or the folder with `scenario.toml`), checks it, and
-/// makes the paths in it absolute. Gives the scenario, its file and its text.
+/// Reads and checks the scenario at `path`: the file, or the folder with `scenario.toml`.
+///
+/// The paths in it become absolute. Gives the scenario, its file and its text.
 ///
 /// # Errors
 /// When the file cannot be read or something in it is wrong.
-pub fn load(path: &Path) -> Result<(Scenario, PathBuf, String), ScenarioError> {
+pub fn load(path: &Path) -> Result<(Scenario, PathBuf, String), Mistake> {
     let file = file_of(path);
-    let name = file.display().to_string();
-    let text = std::fs::read_to_string(&file)
-        .map_err(|source| ScenarioError::Read { file: name.clone(), source })?;
-    let mut scenario = parse(&text, &name)?;
+    let document = Document::read(&file)?;
+    let mut scenario = read(&document)?;
     let folder = std::path::absolute(&file)
         .ok()
         .and_then(|file| file.parent().map(Path::to_owned))
         .unwrap_or_default();
-    resolve_paths(&mut scenario, &folder, &name)?;
-    Ok((scenario, file, text))
+    resolve_paths(&mut scenario, &folder, &document.check())?;
+    Ok((scenario, file, document.text().to_owned()))
 }
 
-fn parse(text: &str, name: &str) -> Result<Scenario, ScenarioError> {
-    let wrong = |message: String, place: Option<std::ops::Range<usize>>| ScenarioError::Wrong {
-        file: name.to_owned(),
-        message,
-        text: Arc::new(NamedSource::new(name, text.to_owned()).with_language("toml")),
-        place: place.map(SourceSpan::from),
-    };
-    let scenario: Scenario = toml::from_str(text)
-        .map_err(|error| wrong(error.message().trim().replace('\n', "; "), error.span()))?;
-    check(&scenario).map_err(|Wrong { key, message }| {
-        let place = span_of(text, &key);
-        let value = place.clone().and_then(|place| text.get(place));
-        // Of a long value the place says enough.
-        let stated = match value.filter(|value| value.len() <= LONGEST_VALUE) {
-            Some(value) if !value.contains('\n') => format!("{key} = {value}"),
-            _ => key,
-        };
-        wrong(format!("{stated}: {message}"), place)
-    })?;
+fn read(document: &Document) -> Result<Scenario, Mistake> {
+    let scenario = document.parse()?;
+    check(&scenario, &document.check())?;
     Ok(scenario)
 }
 
-/// Characters of a value that a message repeats.
-const LONGEST_VALUE: usize = 40;
-
-/// Where the value of a key such as `train.vehicles[0].count` stands in the text.
-fn span_of(text: &str, key: &str) -> Option<std::ops::Range<usize>> {
-    let root = DeTable::parse(text).ok()?;
-    let mut span = None;
-    let mut value: Option<&DeValue<'_>> = None;
-    for step in key.split(['.', '[', ']']).filter(|step| !step.is_empty()) {
-        let found = match (value, step.parse::<usize>()) {
-            (None, _) => root.get_ref().get(step)?,
-            (Some(DeValue::Table(table)), _) => table.get(step)?,
-            (Some(DeValue::Array(array)), Ok(index)) => array.get(index)?,
-            _ => return span,
-        };
-        span = Some(found.span());
-        value = Some(found.get_ref());
-    }
-    span
-}
-
 /// Makes the paths absolute and checks that they are there.
-fn resolve_paths(scenario: &mut Scenario, folder: &Path, file: &str) -> Result<(), ScenarioError> {
-    let resolve = |path: &mut PathBuf, key: &str, what: &'static str| {
+fn resolve_paths(scenario: &mut Scenario, folder: &Path, check: &Check) -> Result<(), Mistake> {
+    let resolve = |path: &mut PathBuf, key: &str| {
         let full = folder.join(&*path);
-        if full.exists() {
-            *path = full;
-            return Ok(());
+        if let Err(missing) = files::exists(&full) {
+            let wanted = format!("{} at {}", missing.sentence, full.display());
+            return Err(check.error(key, path.display(), wanted));
         }
-        Err(ScenarioError::Missing {
-            file: file.to_owned(),
-            key: key.to_owned(),
-            value: path.display().to_string(),
-            what,
-            path: full.display().to_string(),
-        })
+        *path = full;
+        Ok(())
     };
-    resolve(&mut scenario.stock, "stock", "folder")?;
-    resolve(&mut scenario.track.file, "track.file", "track file")?;
-    resolve(&mut scenario.driver.file, "driver.file", "driver file")?;
+    resolve(&mut scenario.stock, "stock")?;
+    resolve(&mut scenario.track.file, "track.file")?;
+    resolve(&mut scenario.driver.file, "driver.file")?;
     for (i, path) in scenario.driver.with.iter_mut().enumerate() {
-        resolve(path, &format!("driver.with[{i}]"), "file")?;
+        resolve(path, &format!("driver.with[{}]", i + 1))?;
     }
     let fmus = &mut scenario.fmus;
     for (key, path) in [
@@ -157,12 +61,12 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, file: &str) -> Result<(
         ("fmus.railheat", &mut fmus.railheat),
     ] {
         if let Some(path) = path {
-            resolve(path, key, "FMU")?;
+            resolve(path, key)?;
         }
     }
     for (i, replacement) in fmus.vehicle_at.iter_mut().enumerate() {
         if let Some(path) = &mut replacement.file {
-            resolve(path, &format!("fmus.vehicle_at[{i}].file"), "FMU")?;
+            resolve(path, &format!("fmus.vehicle_at[{}].file", i + 1))?;
         }
     }
     let of_rails = scenario.heat.iter_mut().flat_map(|heat| heat.parameters.values_mut());
@@ -179,6 +83,8 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, file: &str) -> Result<(
 
 #[cfg(test)]
 mod tests {
+    use files::Mark;
+
     use super::*;
 
     const GOOD: &str = r#"
@@ -195,19 +101,22 @@ file = "track.toml"
 file = "driver.toml"
 "#;
 
+    fn parse(text: &str) -> Result<Scenario, Mistake> {
+        read(&Document::new("s.toml", text))
+    }
+
+    /// The sentence of a mistake, and what it marks.
     fn message(text: &str) -> (String, Option<String>) {
-        match parse(text, "s.toml").unwrap_err() {
-            ScenarioError::Wrong { message, place, .. } => {
-                let at = place.map(|p| text[p.offset()..p.offset() + p.len()].to_owned());
-                (message, at)
-            }
-            other => panic!("unexpected {other}"),
-        }
+        let Mistake { sentence, mark, .. } = parse(text).unwrap_err();
+        let marked = |Mark { text, column, width, .. }: Mark| {
+            text.chars().skip(column - 1).take(width).collect()
+        };
+        (sentence, mark.map(marked))
     }
 
     #[test]
     fn a_good_scenario_has_the_defaults_of_the_paper() {
-        let scenario = parse(GOOD, "s.toml").unwrap();
+        let scenario = parse(GOOD).unwrap();
         assert_eq!(scenario.step_s, 1e-3);
         assert_eq!(scenario.synchronisation.kp_kn_per_m, 2.0);
         assert_eq!(scenario.synchronisation.kd_kn_s_per_m, 10.0);
@@ -217,8 +126,12 @@ file = "driver.toml"
     #[test]
     fn a_typo_is_answered_with_its_place_and_the_keys_allowed() {
         let (message, at) = message(&GOOD.replace("duration_s", "duraton_s"));
-        assert!(message.contains("unknown field `duraton_s`"), "{message}");
-        assert!(message.contains("duration_s"), "{message}");
+        assert!(
+            message.contains(
+                "there is no key `duraton_s`; did you mean `duration_s`? Known here: `title`"
+            ),
+            "{message}"
+        );
         assert_eq!(at.as_deref(), Some("duraton_s"));
     }
 
@@ -226,21 +139,24 @@ file = "driver.toml"
     fn a_step_of_zero_is_answered_with_its_place_and_bounds() {
         let (message, at) =
             message(&GOOD.replace("duration_s = 1.0", "duration_s = 1.0\nstep_s = 0.0"));
-        assert_eq!(message, "step_s = 0.0: lower than 0.000001");
+        assert_eq!(message, "step_s = 0.0: must be at least 0.000001");
         assert_eq!(at.as_deref(), Some("0.0"));
     }
 
     #[test]
-    fn an_index_in_a_key_is_followed_to_its_place() {
+    fn an_index_in_a_key_counts_from_one() {
         let (message, at) = message(&GOOD.replace("count = 2", "count = 0"));
-        assert!(message.starts_with("train.vehicles[0].count"), "{message}");
+        assert!(
+            message.starts_with("train.vehicles[1].count = 0: must be at least 1"),
+            "{message}"
+        );
         assert_eq!(at.as_deref(), Some("0"));
     }
 
     #[test]
     fn a_train_alone_heats_no_rail() {
         let text = GOOD.replace("duration_s = 1.0", "duration_s = 1.0\ntrain_alone = true");
-        assert!(parse(&text, "s.toml").unwrap().train_alone);
+        assert!(parse(&text).unwrap().train_alone);
         let (message, at) = message(&format!("{text}\n[heat]\nfield_interval_s = 1.0\n"));
         assert!(message.contains("leave [heat] out"), "{message}");
         assert_eq!(at.as_deref(), Some("true"));
@@ -249,21 +165,45 @@ file = "driver.toml"
     #[test]
     fn two_fmus_for_one_place_are_refused() {
         let other = "[[fmus.vehicle_at]]\nplace = 2\nfile = \"v.fmu\"\n";
-        let (message, _) = message(&format!("{GOOD}\n{other}{other}"));
-        assert!(message.contains("two FMUs for place 2"), "{message}");
+        let (message, at) = message(&format!("{GOOD}\n{other}{other}"));
+        assert_eq!(
+            message,
+            "fmus.vehicle_at[2].place = 2: has an FMU already; leave one of them out"
+        );
+        assert_eq!(at.as_deref(), Some("2"));
     }
 
     #[test]
     fn an_interval_between_two_steps_is_answered_with_its_place() {
         let (message, at) = message(&format!("{GOOD}\n[record]\ninterval_s = 0.0015\n"));
-        assert!(message.starts_with("record.interval_s = 0.0015: "), "{message}");
-        assert!(message.ends_with("is not a multiple of step_s = 0.001 s"), "{message}");
+        assert_eq!(message, "record.interval_s = 0.0015: must be a multiple of step_s = 0.001 s");
         assert_eq!(at.as_deref(), Some("0.0015"));
     }
 
     #[test]
     fn a_wheel_record_behind_the_tail_is_refused() {
-        let (message, _) = message(&format!("{GOOD}\n[record]\nwheels_of = [3]\n"));
+        let (message, at) = message(&format!("{GOOD}\n[record]\nwheels_of = [1, 3]\n"));
+        assert!(message.starts_with("record.wheels_of[2] = 3: is behind the tail"), "{message}");
+        assert_eq!(at.as_deref(), Some("3"));
         assert!(message.contains("the train has 2 vehicles"), "{message}");
+    }
+
+    #[test]
+    fn a_file_that_is_not_there_is_answered_with_its_key_and_the_one_that_is_meant() {
+        let folder = tempfile::tempdir().unwrap();
+        let stock = folder.path().join("stock");
+        std::fs::create_dir(&stock).unwrap();
+        for file in ["track.toml", "driver.toml"] {
+            std::fs::write(folder.path().join(file), "").unwrap();
+        }
+        let file = folder.path().join("scenario.toml");
+        let text = GOOD.replace("[train]", "stock = \"stock\"\n[train]");
+        std::fs::write(&file, &text).unwrap();
+        let (scenario, found, _) = load(folder.path()).unwrap();
+        assert_eq!((scenario.stock, found), (stock, file.clone()));
+        std::fs::write(&file, text.replace("track.toml", "trak.toml")).unwrap();
+        let message = load(folder.path()).unwrap_err().to_string();
+        assert!(message.contains("scenario.toml:12:8: track.file = \"trak.toml\": "), "{message}");
+        assert!(message.contains("there is no such file; did you mean `track.toml`?"), "{message}");
     }
 }

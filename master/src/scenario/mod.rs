@@ -23,6 +23,6 @@ pub use file::{
 };
 pub use fmus::{Fmus, VehicleReplacement};
 pub use heat::{FieldFailure, Heat, Probe, Rail, Trains};
-pub use load::{ScenarioError, file_of, load};
+pub use load::{file_of, load};
 pub use times::Times;
 pub use value::Value;

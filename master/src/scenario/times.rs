@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use files::{Document, Mistake};
+
 use super::check::check;
 use super::file::Scenario;
-use super::load::ScenarioError;
 
 /// Times in place of those of a scenario's file; those that are not stated stay.
 #[derive(Debug, Clone, Copy, Default)]
@@ -29,7 +30,7 @@ impl Times {
     ///
     /// # Errors
     /// When the scenario of this file is wrong with them: an interval that is no multiple of the step.
-    pub fn replace_in(&self, scenario: &mut Scenario, file: &Path) -> Result<(), ScenarioError> {
+    pub fn replace_in(&self, scenario: &mut Scenario, file: &Path) -> Result<(), Mistake> {
         for (key, time) in [
             (&mut scenario.duration_s, self.duration),
             (&mut scenario.step_s, self.step),
@@ -37,13 +38,11 @@ impl Times {
         ] {
             *key = time.unwrap_or(*key);
         }
-        check(scenario).map_err(|wrong| {
+        // The times of the command line have no line in the file.
+        check(scenario, &Document::new("", "").check()).map_err(|wrong| {
             let options = self.stated().map(|(option, value)| format!("{option} {value}"));
-            ScenarioError::Times {
-                file: file.display().to_string(),
-                options: options.collect::<Vec<_>>().join(" "),
-                message: format!("{}: {}", wrong.key, wrong.message),
-            }
+            let options = options.collect::<Vec<_>>().join(" ");
+            Mistake::in_file(format!("{} with {options}", file.display()), wrong.sentence)
         })
     }
 }

@@ -1,5 +1,7 @@
 //! Parameters of FMUs that a scenario sets by their names.
 
+use files::did_you_mean;
+
 use super::error::PrepareError;
 use super::resources::parameter_file;
 use crate::fmi::Import;
@@ -25,7 +27,9 @@ pub fn parameter(
     };
     let file = import.file();
     let variable = import.interface().variable(name).ok_or_else(|| {
-        wrong(format!("{file} has no such variable; `hotfoot interface {file}` lists them"))
+        let variables = import.interface().variables();
+        let meant = did_you_mean(name, variables.iter().map(|variable| variable.name.as_str()));
+        wrong(format!("{file} has no such variable; `hotfoot interface {file}` lists them{meant}"))
     })?;
     let (causality, kind) = (variable.causality.as_str(), variable.kind);
     let is_input = causality == "input" && kind == VariableType::Real && stated.number().is_some();

@@ -177,13 +177,24 @@ fn a_constant_of_nature_is_told_where_it_is_written_again() {
 
 #[test]
 fn an_equation_is_complete_with_anchor_citation_and_validation() {
-    let page = "docs/theory/model.md";
+    let page = "docs/theory/longitudinal.md";
     let theory = "<a id=\"eq-1\"></a>\n```text\n(1)  a = b\n(12)  c = d\n```\n";
-    let code = "//! Source: docs/theory/model.md#eq-1\n";
-    let row = "| case | [1](../theory/model.md#eq-1) |\n";
-    let files = [(page, theory), (LIB, code), ("docs/validation/model.md", row)];
-    let expected = "docs/theory/model.md:4: equation (12) is without an anchor, a citation in code, validation";
-    assert_eq!(said("equations", &files), [expected]);
+    let row = "| case | [1](../theory/longitudinal.md#eq-1) |\n";
+    let files = [
+        (page, theory),
+        ("docs/validation/longitudinal.md", row),
+        ("fmus/longitudinal/Cargo.toml", "[package]\nname = \"longitudinal\"\n"),
+        ("fmus/longitudinal/src/lib.rs", "//! Motion (theory, eq. 1).\n"),
+        ("fmus/longitudinal/src/line.rs", "//! `docs/theory/longitudinal.md#eq-7`\n"),
+        // What another package cites is not meant.
+        (LIB, "//! Motion (theory, eq. 12).\n"),
+    ];
+    let expected = [
+        "fmus/longitudinal/src/line.rs:1: docs/theory/longitudinal.md has no anchor eq-7",
+        "docs/theory/longitudinal.md:4: equation (12) is without an anchor, a citation in code, \
+         validation",
+    ];
+    assert_eq!(said("equations", &files), expected);
 }
 
 #[test]

@@ -15,9 +15,10 @@
 //! ```
 //!
 //! and is cut back to the bound where it would exceed it; there the wheel slips. So the law depends on
-//! four numbers: nx, ny, nz and a/b. Source: Kalker, A fast algorithm for the simplified theory of
-//! rolling contact, VSD 11 (1982) 1-13, with the parabolic bound, which gives forces nearer to the exact
-//! theory than the elliptic one.
+//! four numbers: nx, ny, nz and a/b. Turning the sign of nx mirrors the contact across, so that xi may
+//! count positive in traction, and qx then is the traction on the wheel. Source: Kalker, A fast
+//! algorithm for the simplified theory of rolling contact, VSD 11 (1982) 1-13, with the parabolic bound,
+//! which gives forces nearer to the exact theory than the elliptic one.
 //!
 //! The power of the slip field, the integral of traction times slip, is
 //!
@@ -31,9 +32,9 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
-/// What moves through the contact: creepages nx, ny and spin nz of equation C3, and a/b.
+/// Creepages and spin of equation C3, and the shape of the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Motion {
+pub(crate) struct ScaledCreepages {
     /// nx.
     pub longitudinal: f64,
     /// ny.
@@ -44,9 +45,9 @@ pub(crate) struct Motion {
     pub a_over_b: f64,
 }
 
-/// What acts, in the direction of the slip.
+/// Forces and moments on a dimensionless scale, in the direction of the creepages.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Action {
+pub(crate) struct ScaledForces {
     /// Longitudinal force by mu N.
     pub longitudinal: f64,
     /// Lateral force by mu N.
@@ -70,32 +71,33 @@ pub(crate) struct Division {
 ///
 /// Strips are narrow where the contact is short, and elements are short at both ends of a strip, where
 /// the bound is low.
-pub(crate) fn march(motion: &Motion, division: Division) -> Action {
+pub(crate) fn march(creepages: &ScaledCreepages, division: Division) -> ScaledForces {
     let half_width = 0.5 * FRAC_PI_2 / division.pairs as f64;
-    let mut action = Action::default();
+    let mut forces = ScaledForces::default();
     for pair in 0..division.pairs {
         let (y, half) = (half_width * (2 * pair + 1) as f64).sin_cos();
         let width = 2.0 * half * half_width.sin();
         // Adding up both sides at once makes mirrored motions give mirrored forces bit by bit.
-        let sides = [y, -y].map(|y| march_strip(motion, y, half, division.elements));
-        let both = |of: fn(&Action) -> f64| FRAC_2_PI * width * (of(&sides[0]) + of(&sides[1]));
-        action.longitudinal += both(|strip| strip.longitudinal);
-        action.lateral += both(|strip| strip.lateral);
-        action.moment_x += both(|strip| strip.moment_x);
-        action.moment_y += both(|strip| strip.moment_y);
+        let sides = [y, -y].map(|y| march_strip(creepages, y, half, division.elements));
+        let both =
+            |of: fn(&ScaledForces) -> f64| FRAC_2_PI * width * (of(&sides[0]) + of(&sides[1]));
+        forces.longitudinal += both(|strip| strip.longitudinal);
+        forces.lateral += both(|strip| strip.lateral);
+        forces.moment_x += both(|strip| strip.moment_x);
+        forces.moment_y += both(|strip| strip.moment_y);
     }
-    action
+    forces
 }
 
 /// Integrals over the strip at y' that begins at x' = `half`.
-fn march_strip(motion: &Motion, y: f64, half: f64, elements: usize) -> Action {
-    let root = motion.a_over_b.sqrt();
-    let (spin_x, spin_y) = (motion.spin / root, motion.spin * root);
-    let rise_x = motion.longitudinal - spin_x * y;
+fn march_strip(creepages: &ScaledCreepages, y: f64, half: f64, elements: usize) -> ScaledForces {
+    let root = creepages.a_over_b.sqrt();
+    let (spin_x, spin_y) = (creepages.spin / root, creepages.spin * root);
+    let rise_x = creepages.longitudinal - spin_x * y;
     let (turn_sine, turn_cosine) = (PI / elements as f64).sin_cos();
     let (mut sine, mut cosine) = (0.0, 1.0);
     let (mut x, mut qx, mut qy) = (half, 0.0_f64, 0.0_f64);
-    let mut sum = Action::default();
+    let mut sum = ScaledForces::default();
     for _ in 0..elements {
         (sine, cosine) =
             (sine * turn_cosine + cosine * turn_sine, cosine * turn_cosine - sine * turn_sine);
@@ -104,7 +106,7 @@ fn march_strip(motion: &Motion, y: f64, half: f64, elements: usize) -> Action {
         let middle = x - 0.5 * step;
         x -= step;
         qx += step * rise_x;
-        qy += step * (motion.lateral + spin_y * middle);
+        qy += step * (creepages.lateral + spin_y * middle);
         let bound = half * sine * half * sine;
         let size = qx * qx + qy * qy;
         if size > bound * bound {

@@ -13,7 +13,7 @@
 //! (`property_table_follows_the_march`). It goes over m/(1 + m), ny/(nx + ny), z/(z + sqrt(nx² +
 //! ny²)) and a/(a + b).
 
-use super::fastsim::{Action, Division, Motion, march};
+use super::fastsim::{Division, ScaledCreepages, ScaledForces, march};
 use std::array::from_fn;
 use std::fmt;
 use std::sync::OnceLock;
@@ -57,7 +57,7 @@ pub(crate) struct FastsimTable {
     nodes: Vec<Node>,
 }
 
-/// Ratios of equation C5 divided by q, and so the law at one place.
+/// Ratios of equation C5 divided by q, and so the law for one contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ratios {
     /// fx = longitudinal nx.
@@ -100,25 +100,25 @@ impl FastsimTable {
         Self { nodes }
     }
 
-    /// The law at a motion.
+    /// The law at these creepages.
     #[inline]
-    pub(crate) fn at(&self, motion: &Motion) -> Ratios {
-        let both = (motion.a_over_b + 1.0 / motion.a_over_b).sqrt();
-        let (nx, ny) = (motion.longitudinal.abs(), motion.lateral.abs());
-        let z = both * motion.spin.abs();
+    pub(crate) fn at(&self, creepages: &ScaledCreepages) -> Ratios {
+        let both = (creepages.a_over_b + 1.0 / creepages.a_over_b).sqrt();
+        let (nx, ny) = (creepages.longitudinal.abs(), creepages.lateral.abs());
+        let z = both * creepages.spin.abs();
         let slide = (nx * nx + ny * ny).sqrt();
         let m = (nx * nx + ny * ny + z * z).sqrt();
         // A wheel that does not creep at all has any direction.
         let tiny = f64::MIN_POSITIVE;
         let inside = m.min(LARGEST);
-        let places = [
+        let coordinates = [
             inside / (1.0 + inside) * ((1.0 + LARGEST) / LARGEST),
             ny / (nx + ny + tiny),
             z / (slide + z + tiny),
-            (motion.a_over_b / (1.0 + motion.a_over_b) - SHAPES.0) * PER_SHAPES,
+            (creepages.a_over_b / (1.0 + creepages.a_over_b) - SHAPES.0) * PER_SHAPES,
         ];
-        let v = self.interpolated(places);
-        let turn = 1.0_f64.copysign(motion.lateral * motion.spin);
+        let v = self.interpolated(coordinates);
+        let turn = 1.0_f64.copysign(creepages.lateral * creepages.spin);
         // 1/q; beyond the table's end f keeps the size it has there.
         let shrink = if m > LARGEST { LARGEST / m } else { 1.0 };
         let scale = shrink / (1.0 + inside * inside).sqrt();
@@ -131,18 +131,19 @@ impl FastsimTable {
         }
     }
 
-    /// Linear in all four places, each from 0 to 1.
+    /// Linear in all four coordinates, each from 0 to 1.
     #[inline]
-    fn interpolated(&self, places: [f64; 4]) -> [f64; 8] {
+    fn interpolated(&self, coordinates: [f64; 4]) -> [f64; 8] {
         let mut first = 0;
         let mut part = [0.0; 4];
         for k in 0..4 {
-            let place = places[k].clamp(0.0, 1.0) * (NODES[k] - 1) as f64;
-            let index = (place as u32 as usize).min(NODES[k] - 2);
+            let node = coordinates[k].clamp(0.0, 1.0) * (NODES[k] - 1) as f64;
+            let index = (node as u32 as usize).min(NODES[k] - 2);
             first += index * STRIDES[k];
-            part[k] = place - index as f64;
+            part[k] = node - index as f64;
         }
-        let cell = self.nodes[first..].first_chunk::<CELL>().expect("places lie within the table");
+        let cell =
+            self.nodes[first..].first_chunk::<CELL>().expect("coordinates lie within the table");
         let at = |node: usize| cell[node].map(f64::from);
         let edges = EDGES.map(|node| between(&at(node), &at(node + STRIDES[0]), part[0]));
         let faces: [_; 4] = from_fn(|i| between(&edges[2 * i], &edges[2 * i + 1], part[1]));
@@ -151,7 +152,7 @@ impl FastsimTable {
     }
 }
 
-/// `part` of the way from the ratios of one place to those of another.
+/// Linear between the ratios at two points, at this share of their distance.
 #[inline]
 fn between(one: &[f64; 8], other: &[f64; 8], part: f64) -> [f64; 8] {
     from_fn(|i| one[i] + part * (other[i] - one[i]))
@@ -159,34 +160,34 @@ fn between(one: &[f64; 8], other: &[f64; 8], part: f64) -> [f64; 8] {
 
 /// The ratios at the node with these indices.
 fn node(index: [usize; 4]) -> Node {
-    let place: [f64; 4] = from_fn(|k| index[k] as f64 / (NODES[k] - 1) as f64);
-    let reduced = place[0].max(EDGE) * LARGEST / (1.0 + LARGEST);
+    let at: [f64; 4] = from_fn(|k| index[k] as f64 / (NODES[k] - 1) as f64);
+    let reduced = at[0].max(EDGE) * LARGEST / (1.0 + LARGEST);
     let m = reduced / (1.0 - reduced);
-    let direction = place[1].clamp(EDGE, 1.0 - EDGE);
-    let spin = place[2].clamp(EDGE, 1.0 - EDGE);
-    let shape = SHAPES.0 + place[3] * (SHAPES.1 - SHAPES.0);
+    let direction = at[1].clamp(EDGE, 1.0 - EDGE);
+    let spin = at[2].clamp(EDGE, 1.0 - EDGE);
+    let shape = SHAPES.0 + at[3] * (SHAPES.1 - SHAPES.0);
     let a_over_b = shape / (1.0 - shape);
     let slide = m * (1.0 - spin) / (spin * spin + (1.0 - spin) * (1.0 - spin)).sqrt();
     let z = m * spin / (spin * spin + (1.0 - spin) * (1.0 - spin)).sqrt();
     let diagonal = (direction * direction + (1.0 - direction) * (1.0 - direction)).sqrt();
     let (nx, ny) = (slide * (1.0 - direction) / diagonal, slide * direction / diagonal);
-    let at = |lateral: f64| {
+    let marched = |lateral: f64| {
         let nz = z / (a_over_b + 1.0 / a_over_b).sqrt();
-        march(&Motion { longitudinal: nx, lateral, spin: nz, a_over_b }, DIVISION)
+        march(&ScaledCreepages { longitudinal: nx, lateral, spin: nz, a_over_b }, DIVISION)
     };
     let q = (1.0 + m * m).sqrt();
-    let (with, against) = (at(ny), at(-ny));
-    let even = |of: fn(&Action) -> f64| 0.5 * (of(&with) + of(&against)) * q / z;
-    let odd = |of: fn(&Action) -> f64| 0.5 * (of(&with) - of(&against)) * q / ny;
+    let (with, against) = (marched(ny), marched(-ny));
+    let even = |of: fn(&ScaledForces) -> f64| 0.5 * (of(&with) + of(&against)) * q / z;
+    let odd = |of: fn(&ScaledForces) -> f64| 0.5 * (of(&with) - of(&against)) * q / ny;
     let across = 0.5 * q / nx;
     let ratios = [
         across * (with.longitudinal + against.longitudinal),
-        odd(|action| action.lateral),
-        even(|action| action.lateral),
-        even(|action| action.moment_x),
-        odd(|action| action.moment_x),
-        even(|action| action.moment_y),
-        odd(|action| action.moment_y),
+        odd(|forces| forces.lateral),
+        even(|forces| forces.lateral),
+        even(|forces| forces.moment_x),
+        odd(|forces| forces.moment_x),
+        even(|forces| forces.moment_y),
+        odd(|forces| forces.moment_y),
         across * (with.longitudinal - against.longitudinal),
     ];
     ratios.map(|ratio| ratio as f32)
@@ -213,15 +214,15 @@ mod tests {
             let m = 10_f64.powf(3.0 * r[0] - 2.0);
             let (turn, tilt) = (std::f64::consts::TAU * r[1], std::f64::consts::PI * (r[2] - 0.5));
             let a_over_b = 12_f64.powf(2.0 * r[3] - 1.0);
-            let motion = Motion {
+            let creepages = ScaledCreepages {
                 longitudinal: m * tilt.cos() * turn.cos(),
                 lateral: m * tilt.cos() * turn.sin(),
                 spin: m * tilt.sin() / (a_over_b + 1.0 / a_over_b).sqrt(),
                 a_over_b,
             };
-            let exact = march(&motion, fine);
-            let v = table.at(&motion);
-            let (nx, ny, nz) = (motion.longitudinal, motion.lateral, motion.spin);
+            let exact = march(&creepages, fine);
+            let v = table.at(&creepages);
+            let (nx, ny, nz) = (creepages.longitudinal, creepages.lateral, creepages.spin);
             let errors = [
                 v.longitudinal * nx - exact.longitudinal,
                 v.lateral * ny + v.spin * nz - exact.lateral,

@@ -23,7 +23,8 @@
 //! the guide of CONTACT (2022).
 
 use super::Creepages;
-use crate::{ContactPatch, STEEL};
+use crate::geometry::contact_point::ContactPatch;
+use crate::material::STEEL;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_4, PI};
 
 /// Reduction of the stiffness.

@@ -1,10 +1,11 @@
 //! The creep laws a vehicle can have.
 
+use super::friction::FallingFriction;
 use super::linear;
 use super::modified_fastsim::ModifiedFastsim;
 use super::polach::Polach;
 use super::{CreepForces, SlipVelocity};
-use crate::{ContactPatch, FallingFriction};
+use crate::geometry::contact_point::ContactPatch;
 
 /// A law of creep forces.
 #[derive(Clone, Copy, Debug)]

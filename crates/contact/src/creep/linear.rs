@@ -10,8 +10,10 @@
 //! which is good for small spin. Beyond the source, the spin moment is kept and reduced alike: force and
 //! moment together then never give power to the wheel.
 
-use super::{CreepForces, SlipVelocity, reference_speed};
-use crate::{ContactPatch, FallingFriction, STEEL};
+use super::friction::FallingFriction;
+use super::{CreepDamping, CreepForces, SlipVelocity, TangentialForce, reference_speed};
+use crate::geometry::contact_point::ContactPatch;
+use crate::material::STEEL;
 
 /// The share of Kalker's forces that is left of a force `u` times mu N (C9).
 fn share(u: f64) -> f64 {
@@ -25,18 +27,20 @@ pub(crate) fn linear(patch: &ContactPatch, slip: &SlipVelocity, speed: f64) -> C
     let area = patch.a * patch.b;
     let (stiffness, kalker) = (STEEL.shear_modulus * area * per_speed, &patch.kalker);
     let coupling = stiffness * area.sqrt() * kalker.c23;
-    let (damping, lateral_damping) = (stiffness * kalker.c11, stiffness * kalker.c22);
+    let damping =
+        CreepDamping { longitudinal: stiffness * kalker.c11, lateral: stiffness * kalker.c22 };
     let spin_damping = stiffness * area * kalker.c33;
     let spin_force = -direction * coupling * slip.spin;
     CreepForces {
-        longitudinal: -damping * slip.longitudinal,
-        lateral: spin_force - lateral_damping * slip.lateral,
+        force: TangentialForce {
+            longitudinal: damping.longitudinal * slip.longitudinal,
+            lateral: spin_force - damping.lateral * slip.lateral,
+        },
         spin_moment: direction * coupling * slip.lateral - spin_damping * slip.spin,
-        friction_power: damping * slip.longitudinal * slip.longitudinal
-            + lateral_damping * slip.lateral * slip.lateral
+        friction_power: damping.longitudinal * slip.longitudinal * slip.longitudinal
+            + damping.lateral * slip.lateral * slip.lateral
             + spin_damping * slip.spin * slip.spin,
         damping,
-        lateral_damping,
         spin_force,
     }
 }
@@ -54,14 +58,19 @@ pub(crate) fn limited(
         return CreepForces::default();
     }
     let linear = linear(patch, slip, speed);
-    let share = share(linear.longitudinal.hypot(linear.lateral) / limit);
+    let share = share(linear.force.longitudinal.hypot(linear.force.lateral) / limit);
+    let (force, damping) = (&linear.force, &linear.damping);
     CreepForces {
-        longitudinal: share * linear.longitudinal,
-        lateral: share * linear.lateral,
+        force: TangentialForce {
+            longitudinal: share * force.longitudinal,
+            lateral: share * force.lateral,
+        },
         spin_moment: share * linear.spin_moment,
         friction_power: share * linear.friction_power,
-        damping: share * linear.damping,
-        lateral_damping: share * linear.lateral_damping,
+        damping: CreepDamping {
+            longitudinal: share * damping.longitudinal,
+            lateral: share * damping.lateral,
+        },
         spin_force: share * linear.spin_force,
     }
 }

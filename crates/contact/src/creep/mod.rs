@@ -1,8 +1,9 @@
 //! Friction between a rolling wheel and the rail.
 //!
-//! Axes: x along the track, y to the right, z down. Creepage is (wheel - rail)/speed, so positive
-//! longitudinal creepage is traction. All forces act on the **wheel**, opposed to its slip; the force
-//! on the rail, which drives the train, is the opposite.
+//! Axes: x along the track, y to the right, z down. Creepage is (wheel - rail)/speed. Along the track
+//! the wheel counts by the speed of its rim, so that positive creepage is **traction** and the force on
+//! the wheel is positive with it. Across and about the normal the wheel counts by its motion, so that
+//! force and moment on it are opposed to creepage and spin. Forces on the rail are the opposite.
 //!
 //! | file | part |
 //! |---|---|
@@ -30,12 +31,12 @@ pub(crate) mod polach;
 /// 0.1 m/s times the creepage it needs.
 pub const REFERENCE_SPEED_MIN: f64 = 0.1;
 
-/// Velocity of the wheel relative to the rail at the contact, in the contact's plane.
+/// Slip of the wheel against the rail at the contact, in the contact's plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlipVelocity {
-    /// Along the track in m/s.
+    /// Speed of the wheel's rim less that of its axle, in m/s, positive where it drives along x.
     pub longitudinal: f64,
-    /// Across in m/s, positive to the right (along the contact plane).
+    /// Velocity of the wheel across, in m/s, positive to the right (along the contact plane).
     pub lateral: f64,
     /// Relative rotation about the contact normal in rad/s, positive about z down.
     pub spin: f64,
@@ -65,25 +66,40 @@ pub struct Creepages {
     pub spin: f64,
 }
 
+/// A force in the contact plane, in N.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TangentialForce {
+    /// Along the track, positive where it drives along x.
+    pub longitudinal: f64,
+    /// Across, positive to the right.
+    pub lateral: f64,
+}
+
+/// Force over slip velocity, in N s/m, never negative: secants of the creep curve.
+///
+/// The curve is concave, so the secant is at least the tangent. An integrator that takes the secant
+/// from the beginning of its step times the slip at the end is stable at any speed, also where
+/// friction falls with slip.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CreepDamping {
+    /// Of longitudinal slip.
+    pub longitudinal: f64,
+    /// Of lateral slip, without spin.
+    pub lateral: f64,
+}
+
 /// What creep does to the wheel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CreepForces {
-    /// Force on the wheel along the track, in N: `-damping * slip.longitudinal`.
-    pub longitudinal: f64,
-    /// Force on the wheel across, in N: `-lateral_damping * slip.lateral + spin_force`.
-    pub lateral: f64,
+    /// Force on the wheel: longitudinal `damping.longitudinal * slip.longitudinal`, lateral
+    /// `spin_force - damping.lateral * slip.lateral`.
+    pub force: TangentialForce,
     /// Moment on the wheel about the contact normal, in N m, positive about z down.
     pub spin_moment: f64,
     /// Power turned into heat, in W, never negative.
     pub friction_power: f64,
-    /// Force by longitudinal slip velocity, in N s/m, never negative: the secant of the creep curve.
-    ///
-    /// The curve is concave, so the secant is at least the tangent. An integrator that takes
-    /// `-damping * slip` at the end of its step, with `damping` from the beginning, is stable at any
-    /// speed, also where friction falls with slip.
-    pub damping: f64,
-    /// The same for lateral slip, without spin.
-    pub lateral_damping: f64,
+    /// How the force changes with the slip.
+    pub damping: CreepDamping,
     /// The part of the lateral force that spin causes, in N; it needs no implicit treatment.
     pub spin_force: f64,
 }

@@ -1,7 +1,7 @@
 //! Creep forces and friction power by modified FASTSIM.
 //!
 //! `fastsim.rs` has the theory and `flexibility.rs` the modification. Friction falls with the slip
-//! velocity of the whole contact. Forces on the wheel oppose the slip. The spin moment is
+//! velocity of the whole contact. The spin moment is
 //!
 //! ```text
 //! M phi = -mu N phi ((L2/L3) a my - (L1/L3) b mx)                                                  (C8)
@@ -10,17 +10,18 @@
 //! so that force and moment take from the wheel just the power of the slip field (C4): what heats wheel
 //! and rail. Where the three flexibilities are one it is the moment of the tractions.
 
-use super::fastsim::{Division, Motion, march};
+use super::fastsim::{Division, ScaledCreepages, march};
 use super::fastsim_table::FastsimTable;
 use super::flexibility::{Reduction, Stiffness};
-use super::{CreepForces, Creepages, SlipVelocity, reference_speed};
-use crate::{ContactPatch, FallingFriction};
+use super::friction::FallingFriction;
+use super::{CreepDamping, CreepForces, Creepages, SlipVelocity, TangentialForce, reference_speed};
+use crate::geometry::contact_point::ContactPatch;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Initial slope of fx over nx: (2/pi) (8/3).
 const INITIAL_SLOPE: f64 = 16.0 / (3.0 * PI);
 
-/// Share of a motion in one direction below which its secant is that of the initial slope.
+/// Share of a creepage in the whole below which its secant is that of the initial slope.
 const SMALL: f64 = 1e-6;
 
 /// Modified FASTSIM with falling friction.
@@ -94,13 +95,13 @@ impl ModifiedFastsim {
         let per_traction = FRAC_PI_2 * a * a * b / limit;
         let longitudinal = per_traction * stiffness.longitudinal;
         let lateral = per_traction * stiffness.lateral;
-        let motion = Motion {
+        let scaled = ScaledCreepages {
             longitudinal: longitudinal * creepages.longitudinal,
             lateral: lateral * creepages.lateral,
             spin: per_traction * stiffness.spin * (a * b).sqrt() * creepages.spin,
             a_over_b: a / b,
         };
-        let answer = self.answer(&motion);
+        let answer = self.answer(&scaled);
         let damping = limit * answer.longitudinal * longitudinal * per_speed;
         let lateral_damping = limit * answer.lateral * lateral * per_speed;
         let spin_force = -limit * answer.rest;
@@ -114,49 +115,47 @@ impl ModifiedFastsim {
         let square = damping * along * damping * along + force * force;
         let cut = if square > limit * limit { limit / square.sqrt() } else { 1.0 };
         CreepForces {
-            longitudinal: -cut * damping * along,
-            lateral: cut * force,
+            force: TangentialForce { longitudinal: cut * damping * along, lateral: cut * force },
             spin_moment: cut * spin_moment,
             friction_power: cut * power,
-            damping: cut * damping,
-            lateral_damping: cut * lateral_damping,
+            damping: CreepDamping { longitudinal: cut * damping, lateral: cut * lateral_damping },
             spin_force: cut * spin_force,
         }
     }
 
     #[inline]
-    fn answer(&self, motion: &Motion) -> Answer {
+    fn answer(&self, scaled: &ScaledCreepages) -> Answer {
         match self.solver {
             Solver::Table(table) => {
-                let ratios = table.at(motion);
-                let moment = |(by_spin, by_slip)| by_spin * motion.spin + by_slip * motion.lateral;
+                let ratios = table.at(scaled);
+                let moment = |(by_spin, by_slip)| by_spin * scaled.spin + by_slip * scaled.lateral;
                 Answer {
                     longitudinal: ratios.longitudinal,
                     lateral: ratios.lateral,
-                    rest: ratios.spin * motion.spin,
+                    rest: ratios.spin * scaled.spin,
                     moment_x: moment(ratios.moment_x),
                     moment_y: moment(ratios.moment_y),
                 }
             }
-            Solver::March(division) => marched(motion, division),
+            Solver::March(division) => marched(scaled, division),
         }
     }
 }
 
 /// The answer of a march through the contact.
-fn marched(motion: &Motion, division: Division) -> Answer {
-    let action = march(motion, division);
-    let (nx, ny, nz) = (motion.longitudinal, motion.lateral, motion.spin);
+fn marched(scaled: &ScaledCreepages, division: Division) -> Answer {
+    let forces = march(scaled, division);
+    let (nx, ny, nz) = (scaled.longitudinal, scaled.lateral, scaled.spin);
     let size = (nx * nx + ny * ny + nz * nz).sqrt();
     // Steeper than any tangent of the curve there.
     let steep = INITIAL_SLOPE / (1.0 + size * size).sqrt();
-    let secant = |force: f64, motion: f64| {
-        if motion.abs() > SMALL * size { force / motion } else { steep }
+    let secant = |force: f64, creepage: f64| {
+        if creepage.abs() > SMALL * size { force / creepage } else { steep }
     };
-    let longitudinal = secant(action.longitudinal, nx);
+    let longitudinal = secant(forces.longitudinal, nx);
     let (lateral, rest) = match nz == 0.0 {
-        true => (secant(action.lateral, ny), 0.0),
-        false => (steep, action.lateral - steep * ny),
+        true => (secant(forces.lateral, ny), 0.0),
+        false => (steep, forces.lateral - steep * ny),
     };
-    Answer { longitudinal, lateral, rest, moment_x: action.moment_x, moment_y: action.moment_y }
+    Answer { longitudinal, lateral, rest, moment_x: forces.moment_x, moment_y: forces.moment_y }
 }

@@ -1,13 +1,14 @@
 //! Polach's creep force law.
 //!
-//! With creepages xi, eta, spin phi, friction mu, load N, semi-axes a and b, shear modulus G:
+//! With creepages xi (positive in traction) and eta, spin phi, friction mu, load N, semi-axes a and b,
+//! and shear modulus G:
 //!
 //! ```text
 //! eta_C = eta + phi a  if that is larger in magnitude, else eta          s_C = sqrt(xi^2 + eta_C^2)
 //! C     = (3/8) (G/a) sqrt((C11 xi/s_C)^2 + (C22 eta_C/s_C)^2)
 //! eps   = (2/3) C pi a^2 b s_C/(mu N)
 //! F     = (2 mu N/pi) (kA eps/(1 + (kA eps)^2) + atan(kS eps))
-//! Fx    = -F xi/s_C
+//! Fx    = F xi/s_C
 //! Fy    = -F eta/s_C + Fs
 //! Fs    = (9/16) a mu N KM (1 + 6.3 (1 - exp(-a/b))) phi/s_C
 //! KM    = |eps_S| (d^3/3 - d^2/2 + 1/6) - (1/3) sqrt((1 - d^2)^3),  d = (eps_S^2 - 1)/(eps_S^2 + 1)
@@ -26,8 +27,10 @@
 //!   both in Kalker's theory), plus Kalker's -G (a b)^2 C33 phi reduced as F is. So friction power is
 //!   never negative.
 
-use super::{CreepForces, SlipVelocity, reference_speed};
-use crate::{ContactPatch, FallingFriction, STEEL};
+use super::friction::FallingFriction;
+use super::{CreepDamping, CreepForces, SlipVelocity, TangentialForce, reference_speed};
+use crate::geometry::contact_point::ContactPatch;
+use crate::material::STEEL;
 use std::f64::consts::FRAC_PI_4;
 
 /// Creepage below which C takes its lateral value: too little to matter, enough to divide by.
@@ -77,28 +80,29 @@ impl Polach {
         let leading = eta + phi * patch.a;
         let eta_c = if leading.abs() > eta.abs() { leading } else { eta };
 
-        let stiffness = self.stiffness(patch, limit, xi, eta_c);
+        let secants = self.secants(patch, limit, xi, eta_c);
         let coupling = spin_coupling(patch, limit, xi, eta_c);
-        let (fx, fy) = (stiffness.slide * xi, stiffness.slide * eta + coupling * phi);
+        let (fx, fy) = (secants.slide * xi, secants.slide * eta + coupling * phi);
         let resultant = (fx * fx + fy * fy).sqrt();
         let cut = if resultant > limit { limit / resultant } else { 1.0 };
 
-        let damping = cut * stiffness.slide * per_speed;
-        let spin_damping = cut * stiffness.spin * per_speed;
+        let damping = cut * secants.slide * per_speed;
+        let spin_damping = cut * secants.spin * per_speed;
         let spin_force = -cut * coupling * phi;
         CreepForces {
-            longitudinal: -damping * slip.longitudinal,
-            lateral: spin_force - damping * slip.lateral,
+            force: TangentialForce {
+                longitudinal: damping * slip.longitudinal,
+                lateral: spin_force - damping * slip.lateral,
+            },
             spin_moment: direction * cut * coupling * eta - spin_damping * slip.spin,
             friction_power: damping * slip_squared + spin_damping * slip.spin * slip.spin,
-            damping,
-            lateral_damping: damping,
+            damping: CreepDamping { longitudinal: damping, lateral: damping },
             spin_force,
         }
     }
 
     /// F/s_C and the spin moment by spin; `limit` is mu N.
-    fn stiffness(&self, patch: &ContactPatch, limit: f64, xi: f64, eta_c: f64) -> Stiffness {
+    fn secants(&self, patch: &ContactPatch, limit: f64, xi: f64, eta_c: f64) -> Secants {
         let area = patch.a * patch.b;
         let (c11, c22) = (patch.kalker.c11 * xi, patch.kalker.c22 * eta_c);
         // The larger coefficient where nothing slips: then force over slip never rises with slip.
@@ -114,7 +118,7 @@ impl Polach {
         let reduction = 0.5
             * (self.adhesion_factor / (1.0 + adhesion * adhesion)
                 + (self.slip_factor * eps).atan() / eps);
-        Stiffness {
+        Secants {
             slide: reduction * kalker,
             spin: reduction * STEEL.shear_modulus * area * area * patch.kalker.c33,
         }
@@ -122,7 +126,7 @@ impl Polach {
 }
 
 /// Secants of the creep curve against creepage, in N and N m^2.
-struct Stiffness {
+struct Secants {
     slide: f64,
     spin: f64,
 }

@@ -18,7 +18,7 @@
 
 use super::pair::ProfilePair;
 use super::wheelset::wheelset_geometry;
-use crate::ContactError;
+use crate::error::ContactError;
 use std::f64::consts::FRAC_PI_2;
 
 /// Distance of the displacements at which the radii are sought, in m.
@@ -60,8 +60,10 @@ impl EquivalentConicity {
         Self { step, difference, integral }
     }
 
-    /// The equivalent conicity at an `amplitude` in m; nothing at none, beyond the greatest amplitude, or
-    /// where the radii do not steer the wheelset back.
+    /// The equivalent conicity at an `amplitude` in m, if there is one.
+    ///
+    /// There is none without amplitude, beyond the greatest one, or where the radii do not steer the
+    /// wheelset back.
     pub fn at(&self, amplitude: f64) -> Option<f64> {
         let greatest = (self.difference.len() - 1) as f64 * self.step;
         if amplitude.is_nan() || amplitude <= 0.0 || amplitude > greatest * (1.0 + 1e-12) {

@@ -11,9 +11,10 @@ pub struct ContactPoint {
     pub drop: f64,
     /// d drop / d shift = -tan(contact angle); exactly the derivative of `drop`.
     pub slope: f64,
-    /// Sine of the contact angle, positive as on a tread (the rail pushes this wheel towards the
-    /// track's middle). On the wheel a normal force N acts with N sin towards the middle and N cos
-    /// upwards.
+    /// Sine of the contact angle, positive as on a tread.
+    ///
+    /// There the rail pushes this wheel towards the track's middle: on the wheel a normal force N acts
+    /// with N sin towards the middle and N cos upwards.
     pub sin_angle: f64,
     /// Cosine of the contact angle.
     pub cos_angle: f64,
@@ -27,8 +28,9 @@ pub struct ContactPoint {
     pub hertz: UnitContact,
     /// Kalker's coefficients of the ellipse.
     pub kalker: CreepCoefficients,
-    /// The shift lies beyond the table (flange climbed over the rail, or wheel off its tread); all
-    /// values are those at the table's end.
+    /// The shift lies beyond the table, and all values are those at its end.
+    ///
+    /// The flange has climbed over the rail, or the wheel is off its tread.
     pub beyond: bool,
 }
 

@@ -1,6 +1,8 @@
 //! A wheel profile over a rail profile.
 
-use crate::{ContactError, RailProfile, WheelProfile};
+use crate::error::ContactError;
+use crate::profile::rail::RailProfile;
+use crate::profile::wheel::WheelProfile;
 
 /// Depth below the rail's top at which the gauge is measured, in m.
 const GAUGE_DEPTH: f64 = 0.014;
@@ -78,5 +80,35 @@ fn check(
         Ok(())
     } else {
         Err(ContactError::OutOfRange { quantity, value, allowed })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pair() -> ProfilePair {
+        let (wheel, rail) = (WheelProfile::S1002, RailProfile::Rail60E1);
+        ProfilePair::standard_gauge(wheel, rail, 1.0 / 40.0, 0.46)
+    }
+
+    /// Half of 1360 mm and 70 mm from the flange back to the running circle (EN 13715).
+    #[test]
+    fn analytic_running_circles_are_1500_mm_apart() {
+        assert!((pair().running_circle() - 0.750).abs() < 1e-12);
+    }
+
+    #[test]
+    fn impossible_dimensions_are_named_with_what_is_allowed() {
+        assert!(pair().check().is_ok());
+        for (wrong, quantity) in [
+            (ProfilePair { rail_inclination: 0.06, ..pair() }, "rail inclination"),
+            (ProfilePair { gauge: f64::NAN, ..pair() }, "gauge"),
+            (ProfilePair { flange_back_distance: 1.44, ..pair() }, "flange-back distance"),
+            (ProfilePair { nominal_radius: 0.0, ..pair() }, "nominal wheel radius"),
+        ] {
+            let message = wrong.check().unwrap_err().to_string();
+            assert!(message.starts_with(quantity) && message.contains("must be"), "{message}");
+        }
     }
 }

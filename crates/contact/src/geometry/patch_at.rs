@@ -7,7 +7,7 @@
 //! U = 2/5 k(foot) approach^(5/2)
 //! ```
 //!
-//! is a function of the wheel's place alone and its gradient is the force: N = k approach^(3/2) along
+//! is a function of the wheel's position alone and its gradient is the force: N = k approach^(3/2) along
 //! the perpendicular, as the derivative of the distance to a curve is the unit normal at the foot, and
 //! where the stiffness changes along the path a small force along it, 2/5 dk/dfoot approach^(5/2).
 
@@ -36,7 +36,7 @@ const REACH: f64 = 5e-4;
 
 /// Where a wheel is over its rail.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct WheelPlace {
+pub struct WheelPosition {
     /// Lateral shift at the height of the rail's top, in m, positive when the flange approaches.
     pub shift: f64,
     /// How far its running circle has come down from where it touches at shift 0, in m.
@@ -49,15 +49,15 @@ pub struct WheelPlace {
 
 /// A shift between two rows of a table.
 #[derive(Clone, Copy, Debug)]
-pub struct RowPlace {
+pub struct RowPosition {
     pub(super) index: usize,
-    /// Part of the way to the next row.
+    /// Share of the distance to the next row.
     pub(super) part: f64,
     /// The shift lies outside the table.
     pub(super) beyond: bool,
 }
 
-impl RowPlace {
+impl RowPosition {
     /// As [`ContactPoint::beyond`].
     #[inline]
     pub fn beyond(&self) -> bool {
@@ -67,20 +67,20 @@ impl RowPlace {
     /// Where `shift` lies among `count` rows of which the first stands at `begin`.
     #[inline]
     pub(super) fn new(shift: f64, begin: f64, count: usize) -> Self {
-        let place = (shift - begin) * (1.0 / STEP);
-        let inside = place.max(0.0).min((count - 1) as f64);
+        let row = (shift - begin) * (1.0 / STEP);
+        let inside = row.max(0.0).min((count - 1) as f64);
         let index = (inside as u32 as usize).min(count.saturating_sub(2));
-        Self { index, part: inside - index as f64, beyond: place != inside }
+        Self { index, part: inside - index as f64, beyond: row != inside }
     }
 }
 
-/// A patch of a table under a wheel; what is not asked for is not interpolated.
+/// A patch of a table under a wheel; each value is interpolated only when it is read.
 #[derive(Clone, Copy, Debug)]
 pub struct PatchAt<'a> {
     rows: &'a [Row],
     begin: f64,
     yaw: YawArms,
-    place: RowPlace,
+    at: RowPosition,
     path: Cubic,
     /// Shift of the unyawed wheel with the same contact.
     shift: f64,
@@ -88,8 +88,9 @@ pub struct PatchAt<'a> {
     node: Node,
 }
 
-/// The equation (foot - shift) + (drop - descent) slope = 0 where it is not met, and its first and second
-/// derivative by the shift of the unyawed wheel.
+/// Error of the equation (foot - shift) + (drop - descent) slope = 0, and its derivatives.
+///
+/// First and second, by the shift of the unyawed wheel.
 struct OffFoot {
     error: f64,
     change: f64,
@@ -121,13 +122,13 @@ impl<'a> PatchAt<'a> {
     pub(super) fn new(
         patch: &'a TablePatch,
         begin: f64,
-        place: RowPlace,
-        wheel: &WheelPlace,
+        at: RowPosition,
+        wheel: &WheelPosition,
     ) -> Self {
         let rows = &patch.rows;
-        let path = rows[place.index].path(wheel.roll);
-        let node = path.at(place.part);
-        Self { rows, begin, yaw: patch.yaw, place, path, shift: wheel.shift, node }
+        let path = rows[at.index].path(wheel.roll);
+        let node = path.at(at.part);
+        Self { rows, begin, yaw: patch.yaw, at, path, shift: wheel.shift, node }
     }
 
     /// As [`ContactPoint::drop`].
@@ -142,10 +143,11 @@ impl<'a> PatchAt<'a> {
         self.linear(2)
     }
 
-    /// How far the `wheel` is pressed below the tangent to its path, in m. (The path is hollow, so that no
-    /// tangent shows a contact that is none.)
+    /// How far the `wheel` is pressed below the tangent to its path, in m.
+    ///
+    /// The path is hollow, so that no tangent shows a contact where there is none.
     #[inline]
-    pub fn sunk(&mut self, wheel: &WheelPlace) -> f64 {
+    pub fn sunk(&mut self, wheel: &WheelPosition) -> f64 {
         let here = self.below_tangent(wheel);
         if (-REACH..=0.0).contains(&here) {
             self.go_by(-self.aside(wheel), wheel);
@@ -156,16 +158,16 @@ impl<'a> PatchAt<'a> {
 
     /// How the patch presses when the `wheel` has [sunk](Self::sunk).
     #[inline]
-    pub fn pressed(mut self, wheel: &WheelPlace) -> PressedPatch {
+    pub fn pressed(mut self, wheel: &WheelPosition) -> PressedPatch {
         let change = self.go_to_foot(wheel);
-        let t = self.place.part;
+        let t = self.at.part;
         let slope = self.node.1;
         let cos_angle = 1.0 / (1.0 + slope * slope).sqrt();
         // To the tangent, as its error is of second order in that of the foot.
         let approach = (self.below_tangent(wheel) * cos_angle).max(0.0);
         let lift = 0.5 * self.yaw.radius * slope;
 
-        let row = &self.rows[self.place.index];
+        let row = &self.rows[self.at.index];
         let [light, loaded] = row.stiffness.each_ref().map(|stiffness| stiffness.at(t));
         let square = (approach * (1.0 / LOADED_FROM)).powi(2);
         let part = square * square / (1.0 + square * square);
@@ -193,30 +195,31 @@ impl<'a> PatchAt<'a> {
 
     /// Shift of the yawed wheel less that of the unyawed one for this contact.
     #[inline]
-    fn aside(&self, wheel: &WheelPlace) -> f64 {
+    fn aside(&self, wheel: &WheelPosition) -> f64 {
         wheel.yaw_squared * (self.yaw.radius * self.node.1 + self.yaw.half)
     }
 
     /// How far the wheel is below the tangent to its path at this contact.
     #[inline]
-    fn below_tangent(&self, wheel: &WheelPlace) -> f64 {
+    fn below_tangent(&self, wheel: &WheelPosition) -> f64 {
         let (drop, slope) = self.node;
         let lifted = 0.5 * wheel.yaw_squared * self.yaw.radius * slope * slope;
         let off = self.shift + self.aside(wheel) - wheel.shift;
         wheel.descent - drop - lifted + slope * off
     }
 
-    /// Moves to the foot of the perpendicular from the wheel's place; gives the derivative of the
-    /// equation that is zero there. (Chebyshev's method: Newton's with the second derivative.)
+    /// Moves to the foot of the perpendicular; gives the derivative of the equation that is zero there.
+    ///
+    /// By Chebyshev's method: Newton's with the second derivative.
     #[inline]
-    fn go_to_foot(&mut self, wheel: &WheelPlace) -> f64 {
+    fn go_to_foot(&mut self, wheel: &WheelPosition) -> f64 {
         for _ in 0..CHEBYSHEV_STEPS {
             let OffFoot { error, change, bend } = self.off_foot(wheel);
             let newton = -error / change;
             let step = newton - 0.5 * bend * newton * newton / change;
-            let index = self.place.index;
+            let index = self.at.index;
             self.go_by(step, wheel);
-            if newton.abs() < ONE_STEP && self.place.index == index {
+            if newton.abs() < ONE_STEP && self.at.index == index {
                 return change + bend * step;
             }
         }
@@ -224,7 +227,7 @@ impl<'a> PatchAt<'a> {
     }
 
     /// Newton's method between bounds, where one step does not suffice.
-    fn search_foot(&mut self, wheel: &WheelPlace) -> f64 {
+    fn search_foot(&mut self, wheel: &WheelPosition) -> f64 {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for _ in 0..MOST_STEPS {
             let OffFoot { error, change, .. } = self.off_foot(wheel);
@@ -238,7 +241,7 @@ impl<'a> PatchAt<'a> {
                 step = 0.5 * (low + high) - self.shift;
             }
             self.go_by(step, wheel);
-            if step.abs() < LAST_STEP || self.place.beyond {
+            if step.abs() < LAST_STEP || self.at.beyond {
                 return change;
             }
         }
@@ -247,12 +250,12 @@ impl<'a> PatchAt<'a> {
 
     /// The equation of the foot at this shift of the unyawed wheel.
     #[inline]
-    fn off_foot(&self, wheel: &WheelPlace) -> OffFoot {
+    fn off_foot(&self, wheel: &WheelPosition) -> OffFoot {
         let (drop, slope) = self.node;
         let stretch = wheel.yaw_squared * self.yaw.radius;
         let flat = 1.0 + slope * slope;
         let above = drop + 0.5 * stretch * slope * slope - wheel.descent;
-        let [turn, turn_change] = self.path.bends(self.place.part);
+        let [turn, turn_change] = self.path.bends(self.at.part);
         let stretched = 1.0 + stretch * turn;
         OffFoot {
             error: self.shift + self.aside(wheel) - wheel.shift + above * slope,
@@ -263,22 +266,22 @@ impl<'a> PatchAt<'a> {
 
     /// Changes the shift of the unyawed wheel.
     #[inline]
-    fn go_by(&mut self, step: f64, wheel: &WheelPlace) {
+    fn go_by(&mut self, step: f64, wheel: &WheelPosition) {
         self.shift += step;
-        let part = self.place.part + step * (1.0 / STEP);
+        let part = self.at.part + step * (1.0 / STEP);
         if (0.0..=1.0).contains(&part) {
-            self.place.part = part;
+            self.at.part = part;
         } else {
-            self.place = RowPlace::new(self.shift, self.begin, self.rows.len());
-            self.path = self.rows[self.place.index].path(wheel.roll);
+            self.at = RowPosition::new(self.shift, self.begin, self.rows.len());
+            self.path = self.rows[self.at.index].path(wheel.roll);
         }
-        self.node = self.path.at(self.place.part);
+        self.node = self.path.at(self.at.part);
     }
 
     /// The contact with a light load.
     pub fn point(&self) -> ContactPoint {
         let slope = self.node.1;
-        let stiffness = self.rows[self.place.index].stiffness[0].value(self.place.part);
+        let stiffness = self.rows[self.at.index].stiffness[0].value(self.at.part);
         self.contact(1.0 / (1.0 + slope * slope).sqrt(), stiffness, self.linear(5))
     }
 
@@ -305,13 +308,13 @@ impl<'a> PatchAt<'a> {
                 c23: self.linear(9),
                 c33: self.linear(10),
             },
-            beyond: self.place.beyond,
+            beyond: self.at.beyond,
         }
     }
 
     #[inline]
     fn linear(&self, k: usize) -> f64 {
-        let [p, q] = [0, 1].map(|next| &self.rows[self.place.index + next]);
-        p.linear[k] + self.place.part * (q.linear[k] - p.linear[k])
+        let [p, q] = [0, 1].map(|next| &self.rows[self.at.index + next]);
+        p.linear[k] + self.at.part * (q.linear[k] - p.linear[k])
     }
 }

@@ -2,9 +2,9 @@
 
 use super::pair::ProfilePair;
 use super::search::Touch;
-use crate::STEEL;
 use crate::hertz::UnitContact;
 use crate::kalker::CreepCoefficients;
+use crate::material::STEEL;
 
 /// Distance of the rows, in m.
 pub(super) const STEP: f64 = 5e-5;
@@ -18,12 +18,12 @@ const WITHIN: usize = 4;
 /// A value and its derivative by the shift.
 pub(super) type Node = (f64, f64);
 
-/// One row of a patch, and the way to the next.
+/// One row of a patch, and the curves to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
     /// Drop; its derivative is the slope.
     drop: Cubic,
-    /// How far the contact of a wheel goes down that rolls about the middle of its running circle, in m/rad.
+    /// Descent of the contact with roll about the middle of the running circle, in m/rad.
     pub roll: Cubic,
     /// Stiffness of Hertz's contact with its share, light and loaded, in N/m^(3/2).
     pub stiffness: [Cubic; 2],
@@ -41,7 +41,7 @@ impl Row {
     }
 }
 
-/// Hermite's cubic between two rows, in powers of the part of the way.
+/// Hermite's cubic between two rows, in powers of the share of the distance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cubic([f64; 4]);
 
@@ -53,7 +53,7 @@ impl Cubic {
         Self([p.0, begin, 3.0 * rise - 2.0 * begin - end, begin + end - 2.0 * rise])
     }
 
-    /// Value `t` of the way.
+    /// Value at the share `t` of the distance.
     #[inline]
     pub fn value(&self, t: f64) -> f64 {
         let Self([c0, c1, c2, c3]) = self;
@@ -126,7 +126,7 @@ fn rows(pair: &ProfilePair, track: &[Touch], level: f64) -> Vec<Row> {
     let stiffness = [&light, &loaded]
         .map(|contacts| nodes(contacts.iter().map(|contact| contact.stiffness), monotone));
     let row = |i: usize| {
-        // The last row is never a way to another.
+        // The last row leads to no other.
         let next = (i + 1).min(track.len() - 1);
         let cubic = |nodes: &[Node]| Cubic::new(nodes[i], nodes[next]);
         let (first, last) = (i.saturating_sub(WITHIN), (i + WITHIN).min(track.len() - 1));
@@ -156,8 +156,9 @@ fn central([before, _, after]: [f64; 3]) -> f64 {
     (after - before) / (2.0 * STEP)
 }
 
-/// Derivative at the middle of three values with which a cubic stays between them (Fritsch and
-/// Butland 1984: harmonic mean of both differences).
+/// Derivative at the middle of three values with which a cubic stays between them.
+///
+/// The harmonic mean of both differences (Fritsch and Butland 1984).
 fn monotone([before, here, after]: [f64; 3]) -> f64 {
     let (left, right) = (here - before, after - here);
     if left * right > 0.0 { 2.0 * left * right / ((left + right) * STEP) } else { 0.0 }
@@ -180,4 +181,39 @@ fn linear(touch: &Touch, light: &UnitContact, loaded_root: f64) -> [f64; LINEAR]
         kalker.c23,
         kalker.c33,
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cubic with the values and slopes of x³ at both ends of a row is x³ between them.
+    #[test]
+    fn analytic_a_cubic_is_met_exactly() {
+        let (p, q) = (2.0 * STEP, 3.0 * STEP);
+        let cubic = Cubic::new((p.powi(3), 3.0 * p * p), (q.powi(3), 3.0 * q * q));
+        for t in [0.0, 0.3, 0.5, 1.0] {
+            let x = p + t * STEP;
+            let (value, slope) = cubic.at(t);
+            assert!((value / x.powi(3) - 1.0).abs() < 1e-12);
+            assert!((slope / (3.0 * x * x) - 1.0).abs() < 1e-12);
+            let [second, third] = cubic.bends(t);
+            assert!((second / (6.0 * x) - 1.0).abs() < 1e-9 && (third / 6.0 - 1.0).abs() < 1e-9);
+        }
+    }
+
+    /// With slopes by Fritsch and Butland the curve through a step stays between its values.
+    #[test]
+    fn property_monotone_values_stay_monotone() {
+        let values = [0.0, 0.0, 1.0, 1.2, 1.2, 0.4];
+        let nodes = nodes(values.into_iter(), monotone);
+        for pair in nodes.windows(2) {
+            let cubic = Cubic::new(pair[0], pair[1]);
+            let (low, high) = (pair[0].0.min(pair[1].0), pair[0].0.max(pair[1].0));
+            for i in 0..=20 {
+                let value = cubic.value(f64::from(i) / 20.0);
+                assert!((low - 1e-12..=high + 1e-12).contains(&value), "{value} in {pair:?}");
+            }
+        }
+    }
 }

@@ -1,8 +1,8 @@
 //! The quasi-elastic search for the contact of one wheel at one placement.
 //!
 //! A rigid wheel touches a rigid rail where the vertical gap g(y) is least. With S1002 on 60E1 this
-//! place jumps by up to 15 mm when the wheel shifts by a hair, and forces would jump with it. A real
-//! contact spreads over all places whose gap is no more than the elastic approach. So, after Arnold
+//! point jumps by up to 15 mm when the wheel shifts by a hair, and forces would jump with it. A real
+//! contact spreads over all points whose gap is no more than the elastic approach. So, after Arnold
 //! and Netter (Z. Angew. Math. Mech. 78 (1998) S1) and Arnold and Frischmuth, the least gap is
 //! replaced by its smooth minimum, and every other quantity q by its mean with the same weights:
 //!
@@ -18,23 +18,16 @@
 //! k = 2 pi s/Z^2 is the curvature of the parabola that comes as close over the same width. It is
 //! always positive, and near a jump it counts both lobes.
 
-use super::lobes::{Lobe, lobes, smooth};
+use super::lobes::{Lobe, SOFTNESS, lobes, smooth};
 use super::pair::ProfilePair;
 use crate::hertz::UnitContact;
-use crate::{ProfilePoint, STEEL, profile::rail_head::RailHead};
+use crate::material::STEEL;
+use crate::profile::point::ProfilePoint;
+use crate::profile::rail_head::RailHead;
 use std::f64::consts::TAU;
 
-/// Softness s in m: gaps within a few times this share the load.
-///
-/// A quarter of the elastic approach of a wheel under 10 kN, the load of the Manchester benchmark.
-/// With it contact positions keep within 0.5 mm of CONTACT's elastic ones in that benchmark, and the
-/// pressure within 5 % where there is one contact (`benchmark_manchester_…` in `tests/validation/`).
-/// Heavier wheels would spread over more. A jump is spread over 4 s by the step in slope: 0.1 mm of
-/// shift from tread to flange root, 0.7 mm on the tread.
-pub(super) const SOFTNESS: f64 = 5e-6;
-
 /// Approach in m of a loaded contact: that of a wheel under 110 kN. A contact so pressed covers both
-/// places between which the least gap jumps, and its stiffness hardly changes there.
+/// points between which the least gap jumps, and its stiffness hardly changes there.
 const LOADED: f64 = 100e-6;
 
 /// Distance of the samples of both profiles, in m. It must resolve the weights on the flange, whose
@@ -44,8 +37,9 @@ const SAMPLE_STEP: f64 = 1e-5;
 /// Gaps that exceed the least by more than this many s have no weight worth counting.
 const NEGLIGIBLE: f64 = 40.0;
 
-/// A lobe that lies higher above its neighbour than this is by and by a spring of its own, whatever the
-/// barrier, and wholly from twice as much, in m.
+/// Height above its neighbour from which a lobe gradually becomes a spring of its own, in m.
+///
+/// Whatever the barrier; from twice as much it is wholly one.
 const FAR: f64 = 4.0 * SOFTNESS;
 
 /// The rail ends where it gets steeper than this (80 degrees); no wheel is.
@@ -54,7 +48,7 @@ const STEEPEST: f64 = 5.67;
 /// Wheel and rail as points, ready for a search.
 pub(super) struct Search {
     pair: ProfilePair,
-    /// Lateral place from the running circle in m, and the profile there.
+    /// Lateral coordinate from the running circle in m, and the profile there.
     wheel: Vec<(f64, ProfilePoint)>,
     /// Profile of the inclined rail at `rail_begin + i * SAMPLE_STEP`.
     rail: Vec<ProfilePoint>,
@@ -72,14 +66,15 @@ pub(super) struct Touch {
     pub drop: f64,
     /// d drop / d shift.
     pub slope: f64,
-    /// How far the contact goes down when the wheel rolls about the middle of its running circle, in
-    /// m/rad; the shift is that at the height of the rail's top.
+    /// Descent of the contact with roll about the middle of the running circle, in m/rad.
+    ///
+    /// The shift stays that at the height of the rail's top.
     pub roll: f64,
-    /// Place on the wheel from the running circle, in m.
+    /// Lateral coordinate on the wheel from the running circle, in m.
     pub wheel_lateral: f64,
     /// Height of the wheel's profile there: the rolling radius above the nominal one, in m.
     pub wheel_height: f64,
-    /// Place on the rail from its top, in m.
+    /// Lateral coordinate on the rail from its top, in m.
     pub rail_lateral: f64,
     /// Curvature of rail and wheel together across the contact, in 1/m.
     pub relative_curvature: f64,
@@ -87,7 +82,7 @@ pub(super) struct Touch {
     pub loaded_curvature: f64,
     /// Share of its own stiffness that the contact has beside its neighbours, 0 to 1 (`lobes.rs`).
     pub share: f64,
-    /// Lateral places on the wheel between which the contact lies, in m.
+    /// Lateral coordinates on the wheel between which the contact lies, in m.
     pub range: (f64, f64),
 }
 
@@ -127,15 +122,18 @@ impl Search {
         }
     }
 
-    /// The contacts of a wheel shifted towards its flange by `shift` metres, without roll and yaw,
-    /// from the flange to the field side; none if the wheel stands beside the rail.
+    /// The contacts of a wheel shifted towards its flange by `shift` metres, without roll and yaw.
+    ///
+    /// From the flange to the field side; none if the wheel stands beside the rail.
     pub(super) fn shifted(&mut self, shift: f64) -> Vec<Touch> {
         let offset = self.offset + shift;
         self.touches(|lateral, point| (offset + lateral, point.height))
     }
 
-    /// The contacts of one wheel of a wheelset whose centre is displaced by `outward` metres towards
-    /// this wheel, rolled by `roll` rad so that this wheel comes lower, and yawed by `yaw` rad.
+    /// The contacts of one wheel of a displaced, rolled and yawed wheelset.
+    ///
+    /// Its centre is displaced by `outward` metres towards this wheel, rolled by `roll` rad so that this
+    /// wheel comes lower, and yawed by `yaw` rad.
     ///
     /// Seen along the rail, the outline of a yawed wheel of radius R is that of its points turned
     /// by -yaw dR/dy about its axle: they lie -R dR/dy yaw² further to the field side and
@@ -155,22 +153,24 @@ impl Search {
         })
     }
 
-    /// The contacts when `place` carries a point of the wheel's profile to its lateral distance from
-    /// the rail's top and its height.
-    fn touches(&mut self, place: impl Fn(f64, &ProfilePoint) -> (f64, f64)) -> Vec<Touch> {
+    /// The contacts of a wheel that `position` moves over its rail.
+    ///
+    /// It carries a point of the wheel's profile to its lateral distance from the rail's top and its
+    /// height.
+    fn touches(&mut self, position: impl Fn(f64, &ProfilePoint) -> (f64, f64)) -> Vec<Touch> {
         for (gap, (lateral, point)) in self.gaps.iter_mut().zip(&self.wheel) {
-            let (y, z) = place(*lateral, point);
+            let (y, z) = position(*lateral, point);
             *gap = rail_at(&self.rail, self.rail_begin, y).map_or(f64::INFINITY, |r| r.height - z);
         }
         let lobes = lobes(&self.gaps);
-        let mut touches: Vec<Touch> = lobes.iter().map(|lobe| self.mean(lobe, &place)).collect();
+        let mut touches: Vec<Touch> = lobes.iter().map(|lobe| self.mean(lobe, &position)).collect();
         for i in 1..touches.len() {
-            let apart = lobes[i].separation;
+            let separation = lobes[i].separation;
             let above = touches[i].drop - touches[i - 1].drop;
             // Z/(Z + Z') from the drops, which are -s ln Z; a lobe far above its neighbour takes no part of
             // what that one bears, and is a spring of its own.
             let ratio = (above / SOFTNESS).exp();
-            let own = |above: f64| apart.max(smooth((above - FAR) / FAR));
+            let own = |above: f64| separation.max(smooth((above - FAR) / FAR));
             let [here, before] = [own(above), own(-above)];
             touches[i].share *= here + (1.0 - here) / (1.0 + ratio);
             touches[i - 1].share *= before + (1.0 - before) / (1.0 + 1.0 / ratio);
@@ -179,7 +179,7 @@ impl Search {
     }
 
     /// Means over a lobe.
-    fn mean(&self, lobe: &Lobe, place: &impl Fn(f64, &ProfilePoint) -> (f64, f64)) -> Touch {
+    fn mean(&self, lobe: &Lobe, position: &impl Fn(f64, &ProfilePoint) -> (f64, f64)) -> Touch {
         let (mut sum, mut width) = (0.0, 0.0);
         let mut mean = Touch {
             drop: lobe.least,
@@ -199,7 +199,7 @@ impl Search {
             if excess > NEGLIGIBLE {
                 continue;
             }
-            let (y, _) = place(*lateral, point);
+            let (y, _) = position(*lateral, point);
             let Some(rail) = rail_at(&self.rail, self.rail_begin, y) else {
                 continue;
             };
@@ -221,7 +221,7 @@ impl Search {
         mean.rail_lateral /= sum;
         width *= SAMPLE_STEP;
         mean.relative_curvature = TAU * SOFTNESS / (width * width);
-        mean.loaded_curvature = self.loaded_curvature(lobe, mean.slope, place);
+        mean.loaded_curvature = self.loaded_curvature(lobe, mean.slope, position);
         mean
     }
 
@@ -232,7 +232,7 @@ impl Search {
         &self,
         lobe: &Lobe,
         slope: f64,
-        place: &impl Fn(f64, &ProfilePoint) -> (f64, f64),
+        position: &impl Fn(f64, &ProfilePoint) -> (f64, f64),
     ) -> f64 {
         let depth = LOADED * (1.0 + slope * slope).sqrt();
         let samples = lobe.begin..lobe.end;
@@ -242,7 +242,7 @@ impl Search {
             if overlap <= 0.0 {
                 continue;
             }
-            let (y, _) = place(*lateral, point);
+            let (y, _) = position(*lateral, point);
             if let Some(rail) = rail_at(&self.rail, self.rail_begin, y) {
                 energy += overlap * overlap / (1.0 + rail.slope * rail.slope).sqrt();
             }
@@ -252,13 +252,13 @@ impl Search {
     }
 }
 
-/// Places from `begin` to `end` in steps of [`SAMPLE_STEP`].
+/// Coordinates from `begin` to `end` in steps of [`SAMPLE_STEP`].
 fn steps(begin: f64, end: f64) -> impl Iterator<Item = f64> {
     let count = ((end - begin) / SAMPLE_STEP) as usize;
     (0..=count).map(move |i| begin + i as f64 * SAMPLE_STEP)
 }
 
-/// The part of a rail head that a wheel can touch: its first place and its points.
+/// The part of a rail head that a wheel can touch: its first coordinate and its points.
 fn sampled(head: &RailHead) -> (f64, Vec<ProfilePoint>) {
     let (begin, end) = head.range();
     let points: Vec<_> = steps(begin, end)
@@ -289,7 +289,7 @@ fn rail_at(rail: &[ProfilePoint], begin: f64, y: f64) -> Option<ProfilePoint> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{RailProfile, WheelProfile};
+    use crate::profile::{rail::RailProfile, wheel::WheelProfile};
 
     /// Drop and slope come from different sums; the smooth minimum makes one the derivative of the
     /// other, also in the middle of a jump between two contacts. Tolerance 1e-5: the central

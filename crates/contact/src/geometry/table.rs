@@ -2,12 +2,12 @@
 
 use super::contact_point::ContactPoint;
 use super::pair::ProfilePair;
-use super::patch_at::{PatchAt, RowPlace, WheelPlace};
+use super::patch_at::{PatchAt, RowPosition, WheelPosition};
 use super::row::{STEP, TablePatch};
 use super::search::{Search, Touch};
-use super::{corners, shared, slots};
-use crate::ContactError;
-use std::sync::Arc;
+use super::{corners, slots};
+use crate::error::ContactError;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Rows towards the field side: the table begins at a shift of -20 mm, or where the wheel leaves the
 /// rail.
@@ -16,6 +16,10 @@ const ROWS_AWAY: i32 = 400;
 /// Rows towards the flange: up to a shift of 30 mm, where the flange has climbed by 23 mm, or where
 /// the wheel leaves the rail.
 const ROWS_TOWARDS: i32 = 600;
+
+/// The tables made so far: a train of 250 vehicles needs one. A process knows few pairs, so that a list
+/// serves.
+static TABLES: Mutex<Vec<Arc<GeometryTable>>> = Mutex::new(Vec::new());
 
 /// Contacts of one wheel with its rail as a function of the lateral shift and of the yaw.
 ///
@@ -45,10 +49,19 @@ impl GeometryTable {
 
     /// The table of this pair, made at the first call and shared by all later ones in the process.
     ///
+    /// The lock is held while a table is made: others that ask for the same pair at the same time wait
+    /// for it rather than make it again.
+    ///
     /// # Errors
     /// When a dimension is out of range or the wheel does not stand on the rail.
     pub fn shared(pair: &ProfilePair) -> Result<Arc<Self>, ContactError> {
-        shared::table(pair)
+        let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(table) = tables.iter().find(|table| table.pair() == pair) {
+            return Ok(Arc::clone(table));
+        }
+        let table = Arc::new(Self::new(pair)?);
+        tables.push(Arc::clone(&table));
+        Ok(table)
     }
 
     /// Searches the contacts at every row.
@@ -97,7 +110,7 @@ impl GeometryTable {
     /// The contact that touches first at a lateral `shift` in m, without yaw. A shift that is not a
     /// number gives the first row.
     pub fn at(&self, shift: f64) -> ContactPoint {
-        let (row, wheel) = (self.row(shift), WheelPlace { shift, ..WheelPlace::default() });
+        let (row, wheel) = (self.row(shift), WheelPosition { shift, ..WheelPosition::default() });
         let patches = (0..self.patches()).filter_map(|patch| self.patch(patch, row, &wheel));
         let real = patches.filter(|patch| patch.point().hertz.stiffness > 0.0);
         let first = real.reduce(|a, b| if b.drop() < a.drop() { b } else { a });
@@ -105,21 +118,27 @@ impl GeometryTable {
         first.unwrap_or_else(|| self.patch_at(0, row, &wheel)).point()
     }
 
-    /// A patch, counted from 0, under a `wheel` whose shift has the place `row` of [`Self::row`];
-    /// nothing where the pair has no such patch.
+    /// A patch, counted from 0, under a `wheel`; nothing where the pair has no such patch.
+    ///
+    /// `row` is that of the wheel's shift, by [`Self::row`].
     #[inline]
-    pub fn patch(&self, patch: usize, row: RowPlace, wheel: &WheelPlace) -> Option<PatchAt<'_>> {
+    pub fn patch(
+        &self,
+        patch: usize,
+        row: RowPosition,
+        wheel: &WheelPosition,
+    ) -> Option<PatchAt<'_>> {
         self.patches[patch].rows[row.index].near.then(|| self.patch_at(patch, row, wheel))
     }
 
     #[inline]
-    fn patch_at(&self, patch: usize, row: RowPlace, wheel: &WheelPlace) -> PatchAt<'_> {
+    fn patch_at(&self, patch: usize, row: RowPosition, wheel: &WheelPosition) -> PatchAt<'_> {
         PatchAt::new(&self.patches[patch], self.begin, row, wheel)
     }
 
-    /// The place of a lateral `shift` in m among the rows.
+    /// Where a lateral `shift` in m lies among the rows.
     #[inline]
-    pub fn row(&self, shift: f64) -> RowPlace {
-        RowPlace::new(shift, self.begin, self.count)
+    pub fn row(&self, shift: f64) -> RowPosition {
+        RowPosition::new(shift, self.begin, self.count)
     }
 }

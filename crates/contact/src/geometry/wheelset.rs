@@ -6,7 +6,7 @@
 
 use super::pair::ProfilePair;
 use super::search::{Search, Touch};
-use crate::ContactError;
+use crate::error::ContactError;
 use crate::hertz::UnitContact;
 
 /// Largest roll that is searched, in rad.
@@ -50,8 +50,9 @@ impl WheelsetGeometry {
     }
 }
 
-/// The wheelset displaced by `lateral` metres to the right at the height of its axle and yawed by
-/// `yaw` rad, rolled so that both wheels touch.
+/// The displaced and yawed wheelset, rolled so that both wheels touch.
+///
+/// It is displaced by `lateral` metres to the right at the height of its axle and yawed by `yaw` rad.
 ///
 /// # Errors
 /// When a dimension of the pair is out of range or a wheel stands beside its rail.
@@ -94,7 +95,7 @@ fn drop(touches: &[Touch]) -> f64 {
     touches.iter().map(|touch| touch.drop).fold(f64::INFINITY, f64::min)
 }
 
-/// What is told about a wheel.
+/// The contacts of a wheel, the first one to touch first.
 fn contacts(pair: &ProfilePair, touches: &[Touch]) -> Vec<WheelContact> {
     let first = drop(touches);
     let contact = |touch: &Touch| WheelContact {

@@ -4,7 +4,8 @@
 //! follows Klingel's wavelength. The flange keeps the wheelset on the track where the cone alone
 //! would not.
 
-use super::{ProfilePoint, s1002};
+use super::point::ProfilePoint;
+use super::s1002;
 
 const MM: f64 = 1e-3;
 
@@ -15,7 +16,7 @@ const FILLET_RADIUS: f64 = 13.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
     ratio: f64,
-    /// Lateral place and height of the fillet's centre, in mm.
+    /// Lateral coordinate and height of the fillet's centre, in mm.
     centre: (f64, f64),
     /// Where the fillet meets the flange face and the tread, in mm.
     fillet: (f64, f64),

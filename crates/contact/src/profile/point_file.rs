@@ -1,7 +1,7 @@
 //! Files of points.
 //!
-//! A file has a point on each line: lateral place and height in millimetres, parted by blanks, commas or
-//! semicolons. The lateral place is measured towards the field side, from the running circle of a wheel
+//! A file has a point on each line: lateral coordinate and height in millimetres, parted by blanks, commas or
+//! semicolons. The lateral coordinate is measured towards the field side, from the running circle of a wheel
 //! or from the middle of a rail; the height downwards. Lines that begin with `#`, `%` or `!` are comments.
 //!
 //! Files of CONTACT and SIMPACK (`.prw`, `.prr`) have their points between `point.begin` and `point.end`
@@ -9,14 +9,14 @@
 //!
 //! | key | what it does |
 //! |---|---|
-//! | `shift.y`, `shift.z` | are added to the places and heights |
+//! | `shift.y`, `shift.z` | are added to the coordinates and heights |
 //! | `bound.y.min`, `.max`, `bound.z.min`, `.max` | leave out what lies outside, where the greater is the maximum |
 //! | `mirror.y`, `mirror.z` | 1 changes the sign |
 //! | `units.len.f` | lengths in the file for a metre |
 //! | `inversion` | order of the points, which does not matter here |
 //! | `approx.smooth`, `point.dist.min`, `rotate` | must be 0: a file is read as it is, not made smooth |
 
-use crate::ContactError;
+use crate::error::ContactError;
 
 /// Keys of a header that have to be zero.
 const ZERO: [&str; 3] = ["approx.smooth", "point.dist.min", "rotate"];
@@ -24,7 +24,7 @@ const ZERO: [&str; 3] = ["approx.smooth", "point.dist.min", "rotate"];
 /// What a header does to the points.
 struct Header {
     shift: [f64; 2],
-    /// Least and greatest place and height; no bound where the least is the greater.
+    /// Least and greatest coordinate and height; no bound where the least is the greater.
     bounds: [[f64; 2]; 2],
     sign: [f64; 2],
     per_metre: f64,
@@ -39,7 +39,7 @@ impl Header {
     fn take(&mut self, line: &str) -> Result<(), String> {
         let Some((key, text)) = line.split_once('=') else { return Ok(()) };
         let (key, text) = (key.trim(), text.trim());
-        let place = match key {
+        let bound = match key {
             "shift.y" => &mut self.shift[0],
             "shift.z" => &mut self.shift[1],
             "bound.y.min" => &mut self.bounds[0][0],
@@ -54,7 +54,7 @@ impl Header {
         };
         let number = text.parse().ok().filter(|number: &f64| number.is_finite());
         let value = number.ok_or_else(|| format!("{key} = {text}: expected a number"))?;
-        *place = match key {
+        *bound = match key {
             "mirror.y" | "mirror.z" if value == 0.0 || value == 1.0 => 1.0 - 2.0 * value,
             "mirror.y" | "mirror.z" => return Err(format!("{key} = {text}: must be 0 or 1")),
             "units.len.f" if value <= 0.0 => {
@@ -112,7 +112,7 @@ pub(super) fn read(text: &str, name: &str) -> Result<Vec<(f64, f64)>, ContactErr
     Ok(points.into_iter().filter_map(|point| header.apply(point)).collect())
 }
 
-/// Lateral place and height of a line.
+/// Lateral coordinate and height of a line.
 fn point(line: &str) -> Result<[f64; 2], String> {
     let parted = line.split(|c: char| c.is_whitespace() || c == ',' || c == ';');
     let mut numbers = parted.filter(|part| !part.is_empty()).map(|part| part.parse::<f64>().ok());

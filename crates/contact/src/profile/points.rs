@@ -3,9 +3,13 @@
 //! Between the points the profile is a cubic with the slopes of the parabolas through three points. Where
 //! the points go back or straight down, as at the flank of a rail, the profile ends.
 
-use super::{ProfilePoint, point_file};
-use crate::ContactError;
+use super::point::ProfilePoint;
+use super::point_file;
+use crate::error::ContactError;
 use std::path::Path;
+
+/// Ends of names that are files of points.
+const FILES: [&str; 4] = [".prw", ".prr", ".txt", ".csv"];
 
 /// Least distance of two points across the track that counts as going on, in m.
 const LEAST_STEP: f64 = 1e-6;
@@ -19,6 +23,12 @@ pub struct PointProfile {
 }
 
 impl PointProfile {
+    /// The points of a `name` that is a file; nothing if it is none.
+    pub(super) fn named(name: &str) -> Option<Result<Self, ContactError>> {
+        let is_file = FILES.iter().any(|end| name.ends_with(end));
+        is_file.then(|| Self::from_file(Path::new(name)))
+    }
+
     /// Reads a file of points.
     ///
     /// # Errors
@@ -53,7 +63,7 @@ impl PointProfile {
     }
 
     /// The part of the outline on which a wheel can run: from the highest point both ways as far as the
-    /// lateral place goes on.
+    /// lateral coordinate goes on.
     fn new(name: String, mut points: Vec<(f64, f64)>) -> Self {
         if points.first().map(|p| p.0) > points.last().map(|p| p.0) {
             points.reverse();
@@ -73,7 +83,7 @@ impl PointProfile {
         &self.name
     }
 
-    /// First and last lateral place, in m.
+    /// First and last lateral coordinate, in m.
     pub(super) fn range(&self) -> (f64, f64) {
         let last = self.points.len() - 1;
         (self.points[0].0, self.points[last].0)
@@ -109,10 +119,10 @@ impl PointProfile {
                 1e3 * end
             )));
         }
-        if self.place_of(|a, b| a > b) >= 0.0 {
+        if self.lateral_of(|a, b| a > b) >= 0.0 {
             return Err(self.wrong(
-                "the lowest point, the tip of the flange, must lie at a negative place: places count \
-                 towards the field side and heights downwards",
+                "the lowest point, the tip of the flange, must lie at a negative lateral coordinate, which \
+                 counts towards the field side; heights count downwards",
             ));
         }
         let level = self.at(0.0).height;
@@ -126,7 +136,7 @@ impl PointProfile {
     /// When its highest point is an end.
     pub(super) fn of_rail(self) -> Result<Self, ContactError> {
         let (begin, end) = self.range();
-        let top = self.place_of(|a, b| a < b);
+        let top = self.lateral_of(|a, b| a < b);
         if top <= begin || top >= end {
             return Err(self.wrong(
                 "the highest point is an end of the head: heights count downwards, and both sides of \
@@ -136,8 +146,8 @@ impl PointProfile {
         Ok(self)
     }
 
-    /// Place of the point that `beats` all others in height.
-    fn place_of(&self, beats: impl Fn(f64, f64) -> bool) -> f64 {
+    /// Lateral coordinate of the point that `beats` all others in height.
+    fn lateral_of(&self, beats: impl Fn(f64, f64) -> bool) -> f64 {
         let best = self.points.iter().reduce(|a, b| if beats(b.1, a.1) { b } else { a });
         best.map_or(0.0, |point| point.0)
     }
@@ -153,7 +163,7 @@ impl PointProfile {
         Self::new(turned.name, moved)
     }
 
-    /// Lateral place of the gauge face `depth` metres below the top, or the gauge side's end above it.
+    /// Lateral coordinate of the gauge face `depth` metres below the top, or the gauge side's end above it.
     pub(super) fn gauge_face(&self, depth: f64) -> f64 {
         let outer = self.points.iter().zip(&self.points[1..]);
         let crossing =

@@ -2,7 +2,7 @@
 //!
 //! The arcs R300, R80 and R13 join tangentially; the flank 1:20 that follows at 36 mm is steeper
 //! than any wheel and never touched. The chain lies within 0.04 mm of the point file of the
-//! Manchester contact benchmark (`reference/vehicle.md` 3.2).
+//! Manchester contact benchmark.
 
 use super::rail_head::HalfArc;
 

@@ -1,7 +1,7 @@
 //! Rail profile AS 60 kg/m (AS 1085.1): crown, shoulder and gauge corner.
 //!
 //! The data sheet gives a head of 70 mm at 16 mm below the top, flanks 1:20, and the radii 190.5, 80 and
-//! 10 mm (`reference/vehicle.md` 3.3), but not where the crown's arcs meet: **10 mm from the middle is
+//! 10 mm, but not where the crown's arcs meet: **10 mm from the middle is
 //! taken here**, as on 60E1; the other joints follow from tangents to the arcs and the flank. So the head
 //! is representative.
 

@@ -1,6 +1,6 @@
 //! A rail head made of circular arcs or of points, upright or inclined.
 
-use super::ProfilePoint;
+use super::point::ProfilePoint;
 use super::points::PointProfile;
 
 /// One arc of a symmetric head, given from the middle outwards.
@@ -29,16 +29,17 @@ impl HalfArc {
 /// An arc of the head's outline, convex upwards.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
-    /// Lateral place and height of the centre in m.
+    /// Lateral coordinate and height of the centre in m.
     centre: (f64, f64),
     radius: f64,
-    /// Lateral place and height at which the arc begins (towards the gauge side) and ends.
+    /// Lateral coordinate and height at which the arc begins (towards the gauge side) and ends.
     begin: (f64, f64),
     end: (f64, f64),
 }
 
-/// The outline of a rail head from the gauge side (negative) to the field side (positive); its
-/// highest point is the origin.
+/// The outline of a rail head; its highest point is the origin.
+///
+/// The gauge side is negative, the field side positive.
 #[derive(Clone, Debug)]
 pub(crate) enum RailHead {
     /// Circular arcs.
@@ -81,7 +82,7 @@ impl RailHead {
         }
     }
 
-    /// Lateral places of the gauge side's and the field side's end, in m.
+    /// Lateral coordinates of the gauge side's and the field side's end, in m.
     pub(crate) fn range(&self) -> (f64, f64) {
         match self {
             Self::Arcs(arcs) => arcs.range(),
@@ -89,7 +90,7 @@ impl RailHead {
         }
     }
 
-    /// Lateral place of the gauge face `depth` metres below the top.
+    /// Lateral coordinate of the gauge face `depth` metres below the top.
     pub(crate) fn gauge_face(&self, depth: f64) -> f64 {
         match self {
             Self::Arcs(arcs) => arcs.gauge_face(depth),
@@ -166,12 +167,12 @@ impl Arcs {
         ProfilePoint { height: arc.centre.1 - root, slope: x / root }
     }
 
-    /// Lateral places of the gauge side's and the field side's end, in m.
+    /// Lateral coordinates of the gauge side's and the field side's end, in m.
     fn range(&self) -> (f64, f64) {
         (self.arcs[0].begin.0, self.arcs[self.arcs.len() - 1].end.0)
     }
 
-    /// Lateral place of the gauge face `depth` metres below the top. Below the last arc the face
+    /// Lateral coordinate of the gauge face `depth` metres below the top. Below the last arc the face
     /// goes on along its tangent.
     fn gauge_face(&self, depth: f64) -> f64 {
         let first = &self.arcs[0];

@@ -2,10 +2,9 @@
 //! the Manchester contact benchmark.
 //!
 //! Eight sections, S in mm from the running circle (positive to the field side), z in mm (positive
-//! towards the flange tip). They deviate by at most 1.6e-6 mm from the benchmark's point file
-//! (`reference/vehicle.md` 3.1).
+//! towards the flange tip). They deviate by at most 1.6e-6 mm from the benchmark's point file.
 
-use super::ProfilePoint;
+use super::point::ProfilePoint;
 
 /// Lateral range in m. The back of the flange (-70 mm) is upright, so the range ends just before.
 pub(super) const RANGE: (f64, f64) = (-0.0699, 0.060);

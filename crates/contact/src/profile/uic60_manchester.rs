@@ -1,5 +1,6 @@
-//! UIC60 as the Manchester contact benchmark (Shackleton and Iwnicki 2006) has it, to repeat that
-//! benchmark; use 60E1 otherwise.
+//! UIC60 of the Manchester contact benchmark, to repeat that benchmark; use 60E1 otherwise.
+//!
+//! Source: Shackleton and Iwnicki 2006.
 //!
 //! The benchmark gives points. They are arcs of the same radii as 60E1, but with corners of 0.1 and
 //! 0.4 degrees where the arcs meet, which lift the gauge corner by 0.04 mm: enough to move the contact

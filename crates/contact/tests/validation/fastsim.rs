@@ -1,6 +1,6 @@
-//! FASTSIM and modified FASTSIM against the curves of CONTACT's examples (reference 4.5 and 4.7).
+//! FASTSIM and modified FASTSIM against the curves of CONTACT's examples (docs/reference/contact.md).
 //!
-//! **On the numbers in the reference.** They are sums over a grid of 48 by 44 elements, with the traction
+//! **On the printed numbers.** They are sums over a grid of 48 by 44 elements, with the traction
 //! at the end of each element. That makes forces at small creepage too large (3 % at the first row), and
 //! the foundation loses (1/2) L dq² at every element, so that the power falls short of F xi V: by a quarter
 //! of it at the first row, as the printed numbers themselves show. In the limit of fine grids nothing is
@@ -8,12 +8,13 @@
 //! tests take two steps: `on_grid` is CONTACT's algorithm on CONTACT's grid and gives the printed numbers;
 //! refined, it gives ours.
 
-use crate::{eurosprinter, near};
+use crate::{PAGE, eurosprinter, near};
 use contact::kalker::CreepCoefficients;
 use contact::{
     ContactPatch, CreepLaw, FallingFriction, ModifiedFastsim, Reduction, STEEL, SlipVelocity,
 };
 use std::f64::consts::PI;
+use validation::Row;
 
 const SPEED: f64 = 10.0;
 
@@ -140,7 +141,7 @@ fn benchmark_fastsim_eurosprinter_force_and_power() {
             for (name, law) in laws {
                 let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
                 let case = |what: &str| format!("{what} {name} at {creepage}");
-                near(&case("force"), -found.longitudinal, force, 0.01 * force);
+                near(&case("force"), found.force.longitudinal, force, 0.01 * force);
                 let lost = (force * SPEED * creepage - power).max(0.0);
                 near(&case("power"), found.friction_power, power + lost, 0.01 * power);
             }
@@ -165,7 +166,7 @@ fn analytic_fastsim_grid_error_is_of_first_order() {
             near(&format!("loss at {creepage}"), lost(coarse) / lost(fine), 2.0, 0.02);
             let (force, power) = (2.0 * fine.0 - coarse.0, 2.0 * fine.1 - coarse.1);
             let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
-            near(&format!("force at {creepage}"), -found.longitudinal, force, 1e-3 * force);
+            near(&format!("force at {creepage}"), found.force.longitudinal, force, 1e-3 * force);
             near(&format!("power at {creepage}"), found.friction_power, power, 1e-3 * power);
         }
     }
@@ -182,7 +183,12 @@ fn benchmark_fastsim_eurosprinter_as_printed() {
         for &(creepage, force, power) in series.rows {
             let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
             if creepage >= force_from {
-                near(&format!("force at {creepage}"), -found.longitudinal, force, 0.015 * force);
+                near(
+                    &format!("force at {creepage}"),
+                    found.force.longitudinal,
+                    force,
+                    0.015 * force,
+                );
             }
             if creepage >= power_from {
                 near(&format!("power at {creepage}"), found.friction_power, power, 0.015 * power);
@@ -200,14 +206,14 @@ fn analytic_fastsim_power_is_force_times_slip() {
             let law = ModifiedFastsim::on_line(series.reduction, series.friction, 10, elements);
             for creepage in [0.0004, 0.01, 0.25] {
                 let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
-                let power = -found.longitudinal * SPEED * creepage;
+                let power = found.force.longitudinal * SPEED * creepage;
                 near("power in W", found.friction_power, power, 1e-12 * power);
             }
         }
     }
 }
 
-/// Lateral creep with spin (reference 4.5): nu 0.28, G 82 GPa, a 8 mm, b 4 mm, 82 kN, mu 0.3, eta -0.000625,
+/// Lateral creep with spin (CONTACT, docs/reference/contact.md): nu 0.28, G 82 GPa, a 8 mm, b 4 mm, 82 kN, mu 0.3, eta -0.000625,
 /// phi 0.625/m: the spin pushes harder than the creep. CONTACT has -0.6074 mu N in lateral force, its
 /// FASTSIM with the parabolic bound -0.6118 on 40 by 40 and -0.6359 on 200 by 200 elements. Tolerance 1.5 % against FASTSIM on the fine grid, and 6 % against the exact theory,
 /// which is what the simplified theory is worth with spin.
@@ -222,14 +228,30 @@ fn benchmark_fastsim_lateral_creep_with_spin() {
     let slip = SlipVelocity { longitudinal: 0.0, lateral: -0.00625, spin: 6.25 };
     let friction = FallingFriction::constant(0.3);
     let laws = [
-        ModifiedFastsim::by_table(Reduction::NONE, friction),
-        ModifiedFastsim::on_line(Reduction::NONE, friction, 20, 100),
+        ("by table", ModifiedFastsim::by_table(Reduction::NONE, friction)),
+        ("on line", ModifiedFastsim::on_line(Reduction::NONE, friction, 20, 100)),
     ];
-    for law in laws {
+    for (name, law) in laws {
         let force = law.force(&patch, &slip, SPEED);
-        let share = force.lateral / (0.3 * patch.normal_force);
-        near("lateral force by mu N", share, -0.6359, 0.015 * 0.6359);
-        near("lateral force by mu N", share, -0.6074, 0.06 * 0.6074);
+        let value = force.force.lateral / (0.3 * patch.normal_force);
+        Row {
+            case: &format!("FASTSIM {name}, lateral creep with spin, force over mu N"),
+            value,
+            expected: -0.6359,
+            unit: "1",
+            source: "CONTACT's FASTSIM, 200 x 200, [contact](../reference/contact.md)",
+            tolerance: (0.015 * 0.6359, "grids of the two"),
+        }
+        .holds(&PAGE);
+        Row {
+            case: &format!("FASTSIM {name}, lateral creep with spin, against the exact theory"),
+            value,
+            expected: -0.6074,
+            unit: "1",
+            source: "CONTACT, [contact](../reference/contact.md)",
+            tolerance: (0.06 * 0.6074, "the simplified theory with spin"),
+        }
+        .holds(&PAGE);
     }
 }
 
@@ -247,8 +269,8 @@ fn analytic_fastsim_starts_with_kalker() {
     ] {
         let (found, kalker) =
             (law.force(&patch, &slip, SPEED), CreepLaw::KalkerLinear.force(&patch, &slip, SPEED));
-        let size = kalker.longitudinal.abs() + kalker.lateral.abs();
-        near("longitudinal", found.longitudinal, kalker.longitudinal, 0.015 * size);
-        near("lateral", found.lateral, kalker.lateral, 0.015 * size);
+        let size = kalker.force.longitudinal.abs() + kalker.force.lateral.abs();
+        near("longitudinal", found.force.longitudinal, kalker.force.longitudinal, 0.015 * size);
+        near("lateral", found.force.lateral, kalker.force.lateral, 0.015 * size);
     }
 }

@@ -1,10 +1,11 @@
 //! Hertz contact.
 
-use crate::near;
+use crate::{PAGE, near};
 use contact::{STEEL, hertz::UnitContact};
+use validation::Row;
 
 /// theta in degrees and the classical coefficients m, n, r, computed independently with exact
-/// elliptic integrals (reference 4.1; printed tables in books differ in the third figure).
+/// elliptic integrals (Johnson, Contact Mechanics, 4.2; printed tables in books differ in the third figure).
 const EXACT: [[f64; 4]; 21] = [
     [2.0, 22.2432, 0.1692, 0.1793],
     [4.0, 13.2925, 0.2189, 0.2631],
@@ -45,7 +46,7 @@ fn benchmark_hertz_exact_table() {
     }
 }
 
-/// CONTACT, Eurosprinter example (reference 4.1): A 0.8, B 0.2814 per metre, N 106.7 kN.
+/// CONTACT, Eurosprinter example (docs/reference/contact.md): A 0.8, B 0.2814 per metre, N 106.7 kN.
 /// Tolerance: the four printed digits; the pressure is of CONTACT's grid, good to 0.1 %.
 #[test]
 fn benchmark_hertz_contact_eurosprinter() {
@@ -53,11 +54,17 @@ fn benchmark_hertz_contact_eurosprinter() {
     let contact = UnitContact::new(0.8, 0.2814, &STEEL);
     let a = contact.semi_axis_rolling * load.cbrt();
     let b = contact.semi_axis_lateral * load.cbrt();
-    near("a in mm", 1e3 * a, 6.304, 1e-3);
-    near("b in mm", 1e3 * b, 12.61, 5e-3);
-    near("approach in mm", 1e3 * contact.approach(load), 0.07651, 1e-5);
+    let row = |what: &str, value: f64, expected: f64, unit: &str, tolerance: (f64, &str)| {
+        let case = &format!("Hertz, Eurosprinter, {what}");
+        let source = "CONTACT, Eurosprinter, [contact](../reference/contact.md)";
+        Row { case, value, expected, unit, source, tolerance }.holds(&PAGE);
+    };
+    let figures = "four figures of the source";
+    row("semi-axis a", 1e3 * a, 6.304, "mm", (1e-3, figures));
+    row("semi-axis b", 1e3 * b, 12.61, "mm", (5e-3, figures));
+    row("approach", 1e3 * contact.approach(load), 0.07651, "mm", (1e-5, figures));
     let pressure = 1.5 * load / (std::f64::consts::PI * a * b);
-    near("pressure in MPa", 1e-6 * pressure, 640.7, 0.64);
+    row("largest pressure", 1e-6 * pressure, 640.7, "MPa", (0.64, "the grid of the source"));
 }
 
 /// Load and approach are inverse to each other, and a wheel above the rail carries nothing.

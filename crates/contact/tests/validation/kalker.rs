@@ -1,10 +1,11 @@
 //! Kalker's coefficients.
 
-use crate::near;
+use crate::{PAGE, near};
 use contact::kalker::CreepCoefficients;
+use validation::Row;
 
-/// nu, a/b, C11, C22, C23 interpolated by CONTACT's rule from Kalker 1990, table E.3 (reference 4.3).
-/// Tolerance: one unit in the last digit, as the reference has not always rounded to the nearest.
+/// nu, a/b, C11, C22, C23 interpolated by CONTACT's rule from Kalker 1990, table E.3.
+/// Tolerance: one unit in the last digit, as its print has not always rounded to the nearest.
 #[test]
 fn benchmark_kalker_interpolated() {
     let cases = [
@@ -48,8 +49,17 @@ fn analytic_kalker_line_contact() {
     let nu = 0.28;
     let c = CreepCoefficients::new(1e-6, nu);
     let limit = std::f64::consts::PI.powi(2) / 4.0;
-    near("C11", c.c11, limit / (1.0 - nu), 1e-4);
-    near("C22", c.c22, limit, 1e-4);
+    for (name, value, expected) in [("C11", c.c11, limit / (1.0 - nu)), ("C22", c.c22, limit)] {
+        Row {
+            case: &format!("Kalker, line contact, {name}"),
+            value,
+            expected,
+            unit: "1",
+            source: "Kalker 1990, asymptote",
+            tolerance: (1e-4, "a/b of 1e-6"),
+        }
+        .holds(&PAGE);
+    }
 }
 
 /// No jump anywhere from very long to very short ellipses: a change of a/b by 0.1 % changes no

@@ -13,8 +13,6 @@
 //! | `polach.rs` | published creep curves, CONTACT |
 //! | `shen_hedrick_elkins.rs` | CONTACT; Kalker's linear forces |
 //! | `properties.rs` | creep forces for any slip |
-//!
-//! "reference" below is the project's collection of published figures, `reference/vehicle.md`.
 
 mod fastsim;
 mod geometry;
@@ -30,6 +28,7 @@ mod shen_hedrick_elkins;
 
 use contact::kalker::CreepCoefficients;
 use contact::{ContactPatch, ProfilePair, RailProfile, STEEL, WheelProfile};
+use validation::Page;
 
 /// A wheel on a rail inclined 1:40 with standard gauge and a radius of 460 mm, as in the benchmark.
 pub fn pair(wheel: &str, rail: &str) -> ProfilePair {
@@ -50,6 +49,12 @@ pub fn eurosprinter() -> ContactPatch {
         kalker: CreepCoefficients::new(0.5, STEEL.poisson_ratio),
     }
 }
+
+/// The page that has the table of all comparisons with numbers.
+pub const PAGE: Page = Page {
+    path: "docs/validation/contact.md",
+    text: include_str!("../../../../docs/validation/contact.md"),
+};
 
 /// Fails with the case's name unless `value` is `expected` within `tolerance`.
 pub fn near(case: &str, value: f64, expected: f64, tolerance: f64) {

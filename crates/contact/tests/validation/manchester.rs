@@ -1,8 +1,9 @@
 //! Manchester contact benchmark A-2.2 (Shackleton and Iwnicki 2006): a wheelset of S1002 on UIC60 at
-//! 1:40, radius 460 mm, displaced sideways with 20 kN on it. All from reference 2.3.
+//! 1:40, radius 460 mm, displaced sideways with 20 kN on it. All from CONTACT (docs/reference/contact.md).
 
-use crate::{near, pair};
+use crate::{PAGE, near, pair};
 use contact::{GeometryTable, wheelset_geometry};
+use validation::Row;
 
 const MM: f64 = 1e-3;
 
@@ -49,7 +50,7 @@ const CONTACT: [(f64, f64, Side, Side); 11] = [
     (10.0, -11.26, side(3.4351, 22.5401), side(39.4446, 44.3815)),
 ];
 
-/// Tolerances as reference 2.3 suggests for rigid tables: 0.5 mm in position, with the row of 0.5 mm
+/// Tolerances as befits rigid tables: 0.5 mm in position, with the row of 0.5 mm
 /// left out, where two contacts compete; 0.12 mrad in roll. The difference of the radii follows from
 /// the wheel position by the contact angle: below the flange (to 4 mm) 0.5 mm times 0.1.
 #[test]
@@ -104,13 +105,21 @@ fn benchmark_manchester_two_patches() {
     }
 }
 
-/// (r_R - r_L)/(2 y) at y = 3 mm is 0.168 by the rigid search of reference 2.3 and 0.1648 by the radii
+/// (r_R - r_L)/(2 y) at y = 3 mm is 0.168 by the rigid search of docs/reference/contact.md and 0.1648 by the radii
 /// that CONTACT prints (0.7553 and -0.2334 mm). Tolerance: the difference of the two.
 #[test]
 fn benchmark_manchester_equivalent_conicity() {
     let g = wheelset_geometry(&pair("S1002", "UIC60-manchester"), 3.0 * MM, 0.0).unwrap();
     let conicity = g.radius_difference() / (2.0 * 3.0 * MM);
-    near("conicity", conicity, 0.168, 0.0032);
+    Row {
+        case: "Manchester A-2.2, radius difference over 2 y at 3 mm",
+        value: conicity,
+        expected: 0.168,
+        unit: "1",
+        source: "rigid search, [contact](../reference/contact.md)",
+        tolerance: (0.0032, "difference from CONTACT's printed radii"),
+    }
+    .holds(&PAGE);
 }
 
 /// Normal force in N, approach in mm and largest pressure in MPa by CONTACT for the left and the

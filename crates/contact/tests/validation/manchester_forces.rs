@@ -1,6 +1,6 @@
 //! Manchester contact benchmark A-2.2 (Shackleton and Iwnicki 2006): creep forces and friction power of
 //! CONTACT (2025-07-23) for lateral, longitudinal and spin creep together. S1002 on UIC60 at 1:40, 2 m/s,
-//! friction 0.3, yaw 2.4 mrad for each mm of displacement. All from reference 2.3.
+//! friction 0.3, yaw 2.4 mrad for each mm of displacement. All in its case A-2.2 (docs/reference/contact.md).
 //!
 //! The contact ellipses are those of `wheelset_geometry`; normal forces and creepages are CONTACT's, so
 //! that the creep law alone is compared. CONTACT's creepages are rail minus wheel and its forces act on
@@ -80,7 +80,8 @@ fn cases() -> Vec<Case> {
 impl Case {
     fn new(row: &Row, contact: &WheelContact, right: bool) -> Self {
         let [displacement, xi, eta, phi, load, fx, fy, power] = *row;
-        let [longitudinal, lateral, spin] = [xi, eta, phi].map(|creepage| -SPEED * creepage);
+        // CONTACT's creepages are rail less wheel, of which the longitudinal one is positive in traction.
+        let (longitudinal, lateral, spin) = (SPEED * xi, -SPEED * eta, -SPEED * phi);
         let side = if right { "right" } else { "left" };
         Self {
             name: format!("{side} wheel at {displacement} mm"),
@@ -97,8 +98,8 @@ impl Case {
     fn check(&self, law: &str, found: &CreepForces, [fx, fy]: [f64; 2], power: f64) {
         let case = |what: &str| format!("{what} {law}, {}", self.name);
         let limit = FRICTION * self.patch.normal_force;
-        near(&case("Fx in N"), found.longitudinal, self.force[0], fx * limit);
-        near(&case("Fy in N"), found.lateral, self.force[1], fy * limit);
+        near(&case("Fx in N"), found.force.longitudinal, self.force[0], fx * limit);
+        near(&case("Fy in N"), found.force.lateral, self.force[1], fy * limit);
         near(&case("power in W"), found.friction_power, self.power, power * self.power);
     }
 }

@@ -1,8 +1,9 @@
 //! Polach's creep law against published curves.
 
-use crate::{eurosprinter, near, pair};
+use crate::{PAGE, eurosprinter, near, pair};
 use contact::{ContactPatch, FallingFriction, GeometryTable, Polach, STEEL, SlipVelocity};
 use std::f64::consts::PI;
+use validation::Row;
 
 fn polach(adhesion: f64, slip: f64, mu0: f64, limit_ratio: f64, decay: f64) -> Polach {
     Polach {
@@ -24,24 +25,32 @@ const STATED_SUM_OF_SQUARES: f64 = 29.0 * 0.0195 * 0.0195;
 fn sum_of_squares(law: &Polach, rows: &[(f64, f64)]) -> f64 {
     rows.iter()
         .map(|(xi, expected)| {
-            let force = -law.force(&eurosprinter(), &longitudinal(*xi), 10.0).longitudinal;
+            let force = law.force(&eurosprinter(), &longitudinal(*xi), 10.0).force.longitudinal;
             (force / expected - 1.0).powi(2)
         })
         .sum()
 }
 
-/// Formula value at eps = 1, 50 kN, mu 0.3, kA 1, kS 0.4: 8408 N (reference 4.6); half a newton.
+/// Formula value at eps = 1, 50 kN, mu 0.3, kA 1, kS 0.4: 8408 N (Polach, Wear 258 (2005) 992, by hand); half a newton.
 #[test]
 fn benchmark_polach_at_eps_one() {
     let patch = ContactPatch { normal_force: 50e3, ..eurosprinter() };
     let law = polach(1.0, 0.4, 0.3, 1.0, 0.0);
     let stiffness = 0.25 * STEEL.shear_modulus * PI * patch.a * patch.b * patch.kalker.c11;
     let creepage = 0.3 * 50e3 / stiffness;
-    let force = law.force(&patch, &longitudinal(creepage), 10.0).longitudinal;
-    near("force in N", force, -8408.0, 0.5);
+    let force = law.force(&patch, &longitudinal(creepage), 10.0).force.longitudinal;
+    Row {
+        case: "Polach, eps 1, kA 1, kS 0.4, 50 kN, mu 0.3",
+        value: force,
+        expected: 8408.0,
+        unit: "N",
+        source: "Polach, Wear 258 (2005) 992, by hand",
+        tolerance: (0.5, "four figures"),
+    }
+    .holds(&PAGE);
 }
 
-/// Modified FASTSIM with falling friction as in CONTACT (reference 4.7, series 4, every second row),
+/// Modified FASTSIM with falling friction as in CONTACT (docs/reference/contact.md, series 4, every second row),
 /// and Polach with the parameters fitted there: 1.9 % rms stated over the 29 points 2 to 30. The 15
 /// rows here are among them, so their sum of squares cannot exceed that of all, 29 x (1.95 %)^2.
 #[test]
@@ -67,7 +76,7 @@ fn benchmark_polach_eurosprinter_modified_fastsim() {
     assert!(error < STATED_SUM_OF_SQUARES, "{error}");
 }
 
-/// CONTACT with a third-body layer and falling friction (reference 4.7, series 2); 1.9 % rms
+/// CONTACT with a third-body layer and falling friction (docs/reference/contact.md, series 2); 1.9 % rms
 /// stated, bound as above.
 #[test]
 fn benchmark_polach_eurosprinter_contact() {
@@ -92,7 +101,7 @@ fn benchmark_polach_eurosprinter_contact() {
     assert!(error < STATED_SUM_OF_SQUARES, "{error}");
 }
 
-/// CONTACT with Coulomb friction (reference 4.7, series 1) against kA = kS = 1: the stated band of
+/// CONTACT with Coulomb friction (docs/reference/contact.md, series 1) against kA = kS = 1: the stated band of
 /// -6.2 to +4.0 %, widened by half of its last digit.
 #[test]
 fn benchmark_polach_eurosprinter_coulomb() {
@@ -108,15 +117,15 @@ fn benchmark_polach_eurosprinter_coulomb() {
         (0.25, 35210.0),
     ] {
         let force = law.force(&eurosprinter(), &longitudinal(xi), 10.0);
-        let error = -force.longitudinal / expected - 1.0;
+        let error = force.force.longitudinal / expected - 1.0;
         assert!((-0.0625..0.0405).contains(&error), "{error} at {xi}");
         // With longitudinal creep only, the power is force times slip.
-        let power = -force.longitudinal * 10.0 * xi;
+        let power = force.force.longitudinal * 10.0 * xi;
         near("friction power in W", force.friction_power, power, 1e-9 * power);
     }
 }
 
-/// Spin alone pushes as in CONTACT's row 0 (reference 2.3): on the right wheel 253.6 N to the right.
+/// Spin alone pushes as in CONTACT's row 0 (docs/reference/contact.md): on the right wheel 253.6 N to the right.
 /// Tolerance 15 %: CONTACT finds a patch of two lobes there, the law has an ellipse.
 #[test]
 fn benchmark_polach_spin_force() {
@@ -124,7 +133,15 @@ fn benchmark_polach_spin_force() {
     let law = polach(1.0, 1.0, 0.3, 1.0, 0.0);
     let slip = SlipVelocity { longitudinal: 0.0, lateral: 0.0, spin: -2.0 * 0.06302 };
     let force = law.force(&table.at(0.0).patch(9997.0), &slip, 2.0);
-    near("lateral force in N", force.lateral, 253.6, 0.15 * 253.6);
+    Row {
+        case: "Polach, spin alone, lateral force",
+        value: force.force.lateral,
+        expected: 253.6,
+        unit: "N",
+        source: "CONTACT, Manchester A-2.2, [contact](../reference/contact.md)",
+        tolerance: (0.15 * 253.6, "two lobes there, an ellipse here"),
+    }
+    .holds(&PAGE);
 }
 
 /// Small creepages give Kalker's linear forces, with spin where it is small against them. The part of
@@ -140,16 +157,16 @@ fn analytic_polach_starts_with_kalker() {
     };
     let g = STEEL.shear_modulus;
     let (xi, spin) = (1e-7, 1e-7 / 6.304e-3);
-    near("C11", force(xi, 0.0, 0.0).longitudinal / (-g * area * k.c11 * xi), 1.0, 1e-3);
-    near("C22", force(0.0, xi, 0.0).lateral / (-g * area * k.c22 * xi), 1.0, 1e-3);
+    near("C11", force(xi, 0.0, 0.0).force.longitudinal / (g * area * k.c11 * xi), 1.0, 1e-3);
+    near("C22", force(0.0, xi, 0.0).force.lateral / (-g * area * k.c22 * xi), 1.0, 1e-3);
     let by_spin = -g * area.powf(1.5) * k.c23;
-    near("C23", force(0.0, 0.0, spin).lateral / (by_spin * spin), 1.0, 1e-3);
+    near("C23", force(0.0, 0.0, spin).force.lateral / (by_spin * spin), 1.0, 1e-3);
     near("C23 in moment", force(0.0, xi, 0.0).spin_moment / (-by_spin * xi), 1.0, 1e-3);
     let moment = -g * area * area * k.c33 * spin;
     near("C33", force(0.0, 0.0, spin).spin_moment / moment, 1.0, 1e-3);
 }
 
-/// At w = ln 2/B friction has fallen by half of what it can: 0.7 when A = 0.4 (reference 4.6).
+/// At w = ln 2/B friction has fallen by half of what it can: 0.7 when A = 0.4 (Polach 2005, by hand).
 #[test]
 fn analytic_falling_friction() {
     let friction = Polach::DRY.friction;

@@ -1,10 +1,10 @@
 //! A loaded contact as the gradient of its elastic energy.
 
 use crate::pair;
-use contact::{GeometryTable, PatchAt, PressedPatch, WheelPlace};
+use contact::{GeometryTable, PatchAt, PressedPatch, WheelPosition};
 
 /// The contacts of a wheel that press.
-fn pressed(table: &GeometryTable, wheel: &WheelPlace) -> Vec<PressedPatch> {
+fn pressed(table: &GeometryTable, wheel: &WheelPosition) -> Vec<PressedPatch> {
     let row = table.row(wheel.shift);
     let patches = (0..table.patches()).filter_map(|patch| table.patch(patch, row, wheel));
     let sunk = |mut patch: PatchAt<'_>| (patch.sunk(wheel) > 0.0).then(|| patch.pressed(wheel));
@@ -12,20 +12,20 @@ fn pressed(table: &GeometryTable, wheel: &WheelPlace) -> Vec<PressedPatch> {
 }
 
 /// Elastic energy of the whole wheel, J.
-fn energy(table: &GeometryTable, wheel: &WheelPlace) -> f64 {
+fn energy(table: &GeometryTable, wheel: &WheelPosition) -> f64 {
     pressed(table, wheel).iter().map(|patch| patch.energy).sum()
 }
 
 /// Places from the tread over the flange root to the flange, pressed by 40 to 200 um, straight and with the
 /// yaw and roll of a curve of 150 m.
-fn places(table: &GeometryTable) -> Vec<WheelPlace> {
+fn places(table: &GeometryTable) -> Vec<WheelPosition> {
     let mut places = vec![];
     for i in 0..420 {
         let shift = 1e-3 + 2.0031e-5 * f64::from(i);
         for (depth, roll, yaw) in [(40e-6, 0.0, 0.0), (100e-6, -6e-4, 9e-3), (200e-6, -1e-3, 18e-3)]
         {
             // Down until the wheel is pressed so far in one of its contacts.
-            let at = |descent| WheelPlace { shift, descent, roll, yaw_squared: yaw * yaw };
+            let at = |descent| WheelPosition { shift, descent, roll, yaw_squared: yaw * yaw };
             let (mut high, mut low) = (-0.02, 0.02);
             for _ in 0..50 {
                 let middle: f64 = 0.5 * (high + low);
@@ -52,7 +52,7 @@ fn property_normal_force_is_the_gradient_of_the_energy() {
                 let force = |patch: &PressedPatch| patch.point.hertz.normal_force(patch.approach);
                 patches.iter().map(|patch| force(patch) * part(patch)).sum()
             };
-            let slope = |change: &dyn Fn(&mut WheelPlace, f64), step: f64| {
+            let slope = |change: &dyn Fn(&mut WheelPosition, f64), step: f64| {
                 let [after, before] = [step, -step].map(|step| {
                     let mut moved = place;
                     change(&mut moved, step);

@@ -5,7 +5,7 @@ use contact::{RailProfile, WheelProfile, wheelset_geometry};
 
 const MM: f64 = 1e-3;
 
-/// EN 13715 in Netter's form (reference 3.1): 1:29.8 on the running circle, 70 degrees on the flange
+/// EN 13715 in Netter's form (DLR): 1:29.8 on the running circle, 70 degrees on the flange
 /// face, 28 mm flange height (12 mm arc about a height of 16 mm).
 #[test]
 fn benchmark_s1002_characteristic_values() {
@@ -55,7 +55,7 @@ fn analytic_cone() {
     }
 }
 
-/// The ends of the arcs of 60E1 (reference 3.2). Tolerance: half of the last digit of the height; at
+/// The ends of the arcs of 60E1 (EN 13674-1). Tolerance: half of the last digit of the height; at
 /// the last point half of the last digit of the half-width, times the slope of 20.
 #[test]
 fn benchmark_60e1_arcs() {
@@ -93,7 +93,7 @@ fn benchmark_uic60_manchester_points() {
     }
 }
 
-/// The rail's top lies 760.53 mm from the track's middle (reference 2.3, from the benchmark's rail).
+/// The rail's top lies 760.53 mm from the track's middle (CONTACT, docs/reference/contact.md, from the benchmark's rail).
 #[test]
 fn benchmark_manchester_rail_place() {
     for rail in ["60E1", "UIC60-manchester"] {

@@ -61,17 +61,18 @@ proptest! {
         let force = law.force(&patch, &slip, speed);
         let slip_velocity = slip.longitudinal.hypot(slip.lateral);
         let limit = Polach::DRY.friction.coefficient(slip_velocity) * patch.normal_force;
-        prop_assert!(force.longitudinal.hypot(force.lateral) <= limit * (1.0 + 1e-12));
+        prop_assert!(force.force.longitudinal.hypot(force.force.lateral) <= limit * (1.0 + 1e-12));
     }
 
     /// Friction turns motion into heat, never the reverse: the power is what force and moment take
-    /// from the slip. Rounding: 1e-12 of the largest term.
+    /// from the slip, which counts against the wheel's motion along the track. Rounding: 1e-12 of the
+    /// largest term.
     #[test]
     fn property_friction_power(law in law(), patch in patches(), slip in slips(), speed in speeds()) {
         let force = law.force(&patch, &slip, speed);
         let terms = [
-            force.longitudinal * slip.longitudinal,
-            force.lateral * slip.lateral,
+            -force.force.longitudinal * slip.longitudinal,
+            force.force.lateral * slip.lateral,
             force.spin_moment * slip.spin,
         ];
         let scale = terms.iter().fold(0.0_f64, |largest, term| largest.max(term.abs()));
@@ -79,13 +80,13 @@ proptest! {
         prop_assert!((force.friction_power + terms.iter().sum::<f64>()).abs() <= 1e-12 * scale);
     }
 
-    /// Without spin the force opposes the slip.
+    /// Without spin the force drives where the slip is traction, and opposes lateral slip.
     #[test]
-    fn property_force_opposes_slip(law in law(), patch in patches(), slip in slips(), speed in speeds()) {
+    fn property_force_follows_traction_and_opposes_lateral_slip(law in law(), patch in patches(), slip in slips(), speed in speeds()) {
         let slip = SlipVelocity { spin: 0.0, ..slip };
         let force = law.force(&patch, &slip, speed);
-        prop_assert!(force.longitudinal * slip.longitudinal <= 0.0);
-        prop_assert!(force.lateral * slip.lateral <= 0.0);
+        prop_assert!(force.force.longitudinal * slip.longitudinal >= 0.0);
+        prop_assert!(force.force.lateral * slip.lateral <= 0.0);
         prop_assert_eq!(force.spin_force, 0.0);
     }
 
@@ -100,11 +101,11 @@ proptest! {
     ) {
         let at = |v: f64| law.force(&patch, &SlipVelocity { longitudinal: v, ..SlipVelocity::default() }, speed);
         let (here, further) = (at(size), at(size * 1.001));
-        let tangent = (here.longitudinal - further.longitudinal) / (0.001 * size);
-        prop_assert!(here.damping >= 0.0);
-        prop_assert!(tangent <= here.damping * (1.0 + 1e-9));
-        let parts = -here.damping * size;
-        prop_assert!((parts - here.longitudinal).abs() <= 1e-12 * parts.abs());
+        let tangent = (further.force.longitudinal - here.force.longitudinal) / (0.001 * size);
+        prop_assert!(here.damping.longitudinal >= 0.0);
+        prop_assert!(tangent <= here.damping.longitudinal * (1.0 + 1e-9));
+        let parts = here.damping.longitudinal * size;
+        prop_assert!((parts - here.force.longitudinal).abs() <= 1e-12 * parts.abs());
     }
 
     /// Mirrored slip gives mirrored forces, bit by bit.
@@ -112,8 +113,8 @@ proptest! {
     fn property_mirror(law in law(), patch in patches(), slip in slips(), speed in speeds()) {
         let mirror = SlipVelocity { longitudinal: slip.longitudinal, lateral: -slip.lateral, spin: -slip.spin };
         let (here, there) = (law.force(&patch, &slip, speed), law.force(&patch, &mirror, speed));
-        prop_assert_eq!(here.longitudinal, there.longitudinal);
-        prop_assert_eq!(here.lateral, -there.lateral);
+        prop_assert_eq!(here.force.longitudinal, there.force.longitudinal);
+        prop_assert_eq!(here.force.lateral, -there.force.lateral);
         prop_assert_eq!(here.spin_moment, -there.spin_moment);
         prop_assert_eq!(here.friction_power, there.friction_power);
     }
@@ -123,13 +124,13 @@ proptest! {
     fn property_reverse_running(law in law(), patch in patches(), slip in slips(), speed in 0.0..80.0) {
         let turned = SlipVelocity { longitudinal: -slip.longitudinal, lateral: -slip.lateral, spin: slip.spin };
         let (here, there) = (law.force(&patch, &slip, speed), law.force(&patch, &turned, -speed));
-        prop_assert_eq!(here.longitudinal, -there.longitudinal);
-        prop_assert_eq!(here.lateral, -there.lateral);
+        prop_assert_eq!(here.force.longitudinal, -there.force.longitudinal);
+        prop_assert_eq!(here.force.lateral, -there.force.lateral);
         prop_assert_eq!(here.spin_moment, there.spin_moment);
     }
 }
 
-/// No load, no friction or no slip: no force, and no number that is none.
+/// No load, no friction or no slip: no force, and no NaN.
 #[test]
 fn property_nothing_from_nothing() {
     let kalker = CreepCoefficients::new(1.0, 0.28);
@@ -141,12 +142,12 @@ fn property_nothing_from_nothing() {
             assert_eq!(force, CreepForces::default());
         }
         let at_rest = law.force(&patch(1e5, 6e-3), &SlipVelocity::default(), 0.0);
-        assert_eq!(at_rest.longitudinal, 0.0);
-        assert_eq!(at_rest.lateral, 0.0);
+        assert_eq!(at_rest.force.longitudinal, 0.0);
+        assert_eq!(at_rest.force.lateral, 0.0);
         assert_eq!(at_rest.spin_moment, 0.0);
         assert_eq!(at_rest.friction_power, 0.0);
-        assert!(at_rest.damping > 0.0, "a wheel at rest still resists");
-        assert!(at_rest.lateral_damping > 0.0, "also sideways");
+        assert!(at_rest.damping.longitudinal > 0.0, "a wheel at rest still resists");
+        assert!(at_rest.damping.lateral > 0.0, "also sideways");
     }
 }
 

@@ -3,14 +3,14 @@
 use crate::{eurosprinter, near};
 use contact::{CreepLaw, FallingFriction, STEEL, SlipVelocity};
 
-/// CONTACT with Coulomb friction 0.33 (reference 4.7, series 1): the stated band of -4.4 to -1.7 % below
+/// CONTACT with Coulomb friction 0.33 (docs/reference/contact.md, series 1): the stated band of -4.4 to -1.7 % below
 /// saturation and 0.1 % in it, widened by half of the last digit.
 #[test]
 fn benchmark_shen_hedrick_elkins_eurosprinter() {
     let law = CreepLaw::ShenHedrickElkins(FallingFriction::constant(0.33));
     let force = |creepage: f64| {
         let slip = SlipVelocity { longitudinal: 10.0 * creepage, ..SlipVelocity::default() };
-        -law.force(&eurosprinter(), &slip, 10.0).longitudinal
+        law.force(&eurosprinter(), &slip, 10.0).force.longitudinal
     };
     for (creepage, expected) in [(0.0004, 9112.0), (0.0012, 22820.0), (0.002, 31040.0)] {
         let error = force(creepage) / expected - 1.0;
@@ -21,7 +21,7 @@ fn benchmark_shen_hedrick_elkins_eurosprinter() {
     }
 }
 
-/// Kalker's forces by hand: -G a b C11 xi, -G a b C22 eta - G (a b)^1.5 C23 phi, and the moment
+/// Kalker's forces by hand: G a b C11 xi, -G a b C22 eta - G (a b)^1.5 C23 phi, and the moment
 /// G (a b)^1.5 C23 eta - G (a b)^2 C33 phi. Rounding.
 #[test]
 fn analytic_kalker_linear_forces() {
@@ -31,7 +31,7 @@ fn analytic_kalker_linear_forces() {
     let found = CreepLaw::KalkerLinear.force(&patch, &slip, speed);
     let (g, area, k) = (STEEL.shear_modulus, patch.a * patch.b, patch.kalker);
     let coupling = g * area.powf(1.5) * k.c23;
-    near("Fx in N", found.longitudinal, -g * area * k.c11 * xi, 1e-7);
-    near("Fy in N", found.lateral, -g * area * k.c22 * eta - coupling * phi, 1e-7);
+    near("Fx in N", found.force.longitudinal, g * area * k.c11 * xi, 1e-7);
+    near("Fy in N", found.force.lateral, -g * area * k.c22 * eta - coupling * phi, 1e-7);
     near("Mz in N m", found.spin_moment, coupling * eta - g * area * area * k.c33 * phi, 1e-7);
 }

@@ -29,7 +29,7 @@ pub(super) unsafe fn call<M: Model>(
     };
     let result = catch_unwind(AssertUnwindSafe(|| body(component))).unwrap_or_else(|panic| {
         let message = panic_message(panic.as_ref());
-        Err(component.instance.give_up(call, message))
+        Err(component.instance.drop_model(call, message))
     });
     let instance = &mut component.instance;
     let warned = instance.take_warned();

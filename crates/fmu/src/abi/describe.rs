@@ -1,5 +1,6 @@
-//! What the packer asks a binary for: its model description and documentation for the files in a
-//! resources folder. These functions are no part of FMI.
+//! What the packer asks a binary for: the texts that describe it with a resources folder.
+//!
+//! These functions are no part of FMI.
 
 use std::ffi::{CString, c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -44,8 +45,9 @@ pub unsafe fn free_text<M: Model>(text: *mut c_char) {
     }
 }
 
-/// Gives the text, or the reason why there is none, to the caller, who frees it with
-/// [`free_text`].
+/// Gives the caller the text, or the reason why there is none.
+///
+/// The caller frees it with [`free_text`].
 unsafe fn give(
     resources: *const c_char,
     answer: *mut *mut c_char,

@@ -1,7 +1,8 @@
 //! Gives the functions of the C interface their names.
 
-/// Exports a model as an FMI 2.0 co-simulation FMU: `fmu::export!(vehicle::Vehicle);` is all that
-/// the library of an FMU contains.
+/// Exports a model as an FMI 2.0 co-simulation FMU.
+///
+/// `fmu::export!(vehicle::Vehicle);` is all that the library of an FMU contains.
 ///
 /// The 34 functions of the standard come without prefix, as §2.1.1 wants for shared libraries.
 /// Besides them the packer finds

@@ -1,8 +1,7 @@
-//! The C interface: functions over a model type, to which [`export!`](crate::export) gives their
-//! C names.
+//! The C interface: functions over a model type.
 //!
-//! They turn pointers into Rust values and results into statuses; what a call does is in
-//! [`Instance`]. No panic leaves them.
+//! [`export!`](crate::export) gives them their C names. They turn pointers into Rust values and results into statuses; what a call does is in
+//! [`Instance`](crate::Instance). No panic leaves them.
 //!
 //! # Safety
 //! All functions ask of their caller what the standard asks of a simulation tool:

@@ -20,8 +20,9 @@ use crate::variables::{Bounds, Causality, Guid, Initial, Kind, Unit, Variability
 
 /// End of the experiment that a tool proposes to its user, s.
 const DEFAULT_STOP_TIME: f64 = 10.0;
-/// Tolerance that a tool proposes. The models step with fixed steps and make no use of it, but
-/// tools miss it where it is absent.
+/// Tolerance that a tool proposes to its user.
+///
+/// The models step with fixed steps and do not use it, but tools miss it where it is absent.
 const DEFAULT_TOLERANCE: f64 = 1e-6;
 
 /// The text of `modelDescription.xml` of a model with the files in `resources`.
@@ -171,8 +172,9 @@ fn description(variable: &Variable) -> Cow<'_, str> {
     }
 }
 
-/// The outputs, which depend on no input within a step (an empty list says so), and what the
-/// initialization computes. Both count the variables from one.
+/// The outputs, and what the initialization computes; both count the variables from one.
+///
+/// No output depends on an input within a step: an empty list of dependencies says so.
 fn model_structure(variables: &[Variable]) -> ModelStructure {
     let unknowns = |chosen: fn(&Variable) -> bool, dependencies| {
         let numbered = variables.iter().zip(1..);

@@ -1,5 +1,6 @@
-//! `terminalsAndIcons.xml`: which variables belong together, such as those of a coupler, so that a
-//! tool can connect them with one line (§2.3; the file is that of FMI 3.0 §2.4.9).
+//! `terminalsAndIcons.xml`: which variables belong together, such as those of a coupler.
+//!
+//! With it a tool connects them by one line (§2.3; the file is that of FMI 3.0 §2.4.9).
 
 use std::path::Path;
 
@@ -50,8 +51,9 @@ struct Member<'a> {
     kind: &'static str,
 }
 
-/// The text of `terminalsAndIcons.xml` of a model with the files in `resources`; empty if the
-/// model declares no terminals.
+/// The text of `terminalsAndIcons.xml` of a model with the files in `resources`.
+///
+/// It is empty if the model declares no terminals.
 ///
 /// # Errors
 /// When the interface cannot be formed from the resources.

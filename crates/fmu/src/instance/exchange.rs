@@ -118,8 +118,10 @@ impl<M: Model> Instance<M> {
         }
     }
 
-    /// A model built from other start values is of no use; one built from the same is kept, so that a
-    /// tool that sets all inputs again and again until they settle does not wait for each.
+    /// Drops a model that was built from other start values.
+    ///
+    /// One that was built from the same is kept, so that a tool that sets all inputs again and
+    /// again until they settle does not wait each time.
     fn note_start_values(&mut self, changed: bool) {
         if changed && matches!(self.phase, Phase::Instantiated | Phase::InitializationMode) {
             self.built = None;

@@ -63,8 +63,9 @@ pub(crate) struct Built<M> {
 }
 
 impl<M: Model> Instance<M> {
-    /// Makes an instance whose messages go to `sink`; `resources` is the FMU's folder of that
-    /// name.
+    /// Makes an instance whose messages go to `sink`.
+    ///
+    /// The folder `resources` is that of the FMU.
     ///
     /// # Errors
     /// When the name is blank or the interface cannot be formed from the resources.
@@ -117,8 +118,10 @@ impl<M: Model> Instance<M> {
         self.time
     }
 
-    /// All values as they are. In initialization mode the outputs may be those of other start
-    /// values: the getters compute them first.
+    /// All values as they are.
+    ///
+    /// In initialization mode the outputs may be those of other start values, as only the getters
+    /// compute them.
     pub fn values(&self) -> &Values {
         &self.values
     }
@@ -259,8 +262,8 @@ impl<M: Model> Instance<M> {
         }
     }
 
-    /// Gives the model up after a panic and tells why.
-    pub(crate) fn give_up(&mut self, call: Call, message: String) -> Error {
+    /// Drops the model after a panic, and gives the error that says why.
+    pub(crate) fn drop_model(&mut self, call: Call, message: String) -> Error {
         self.logger.drain(&mut self.log);
         self.built = None;
         self.phase = Phase::Error;
@@ -275,7 +278,7 @@ impl<M: Model> Instance<M> {
         let origin = Arc::new(Origin { values: self.values.clone(), start_time: self.time });
         let (model, values) = self.build(&origin)?;
         if let Some(stop) = self.experiment.and_then(|experiment| experiment.stop) {
-            model.foresee(stop).map_err(Error::Initialization)?;
+            model.check_until(stop).map_err(Error::Initialization)?;
         }
         self.values = values;
         self.check_finite(origin.start_time)?;

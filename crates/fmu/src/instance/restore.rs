@@ -72,6 +72,7 @@ impl<M: Model> Instance<M> {
         self.call(Call::DeSerializeFMUstate, |instance| {
             let state = SavedState::from_bytes(bytes, instance.guid())?;
             instance.check_state(&state)?;
+            instance.check_values(&state)?;
             Ok(state)
         })
     }
@@ -85,6 +86,16 @@ impl<M: Model> Instance<M> {
             return Err(Error::DamagedState(sentence.to_owned()));
         }
         Ok(())
+    }
+
+    /// What comes as bytes may hold what no setter admits.
+    fn check_values(&self, state: &SavedState<M>) -> Result<(), Error> {
+        let origin = state.model.as_ref().map(|model| &model.origin.values);
+        let rules = &self.interface.rules;
+        if [&state.values].into_iter().chain(origin).all(|values| rules.admit(values)) {
+            return Ok(());
+        }
+        Err(Error::DamagedState("a value is not one that can be set".to_owned()))
     }
 
     /// Sets the model into a saved state, and builds it before if there is none that fits.

@@ -1,7 +1,7 @@
 //! What the functions that set values admit: when, and which values.
 
 use crate::calls::{Phases, settable};
-use crate::variables::{Kind, Variable};
+use crate::variables::{Kind, Values, Variable};
 
 /// When variables may be set and to what, by type and value reference.
 #[derive(Default)]
@@ -25,8 +25,9 @@ impl<T: PartialOrd> Rule<T> {
         Self { settable, min, max }
     }
 
-    /// Whether the value is within the bounds. NaN never is, nor is an infinite number, as the
-    /// bounds are finite.
+    /// Whether the value is within the bounds.
+    ///
+    /// NaN never is, nor is an infinite number, as the bounds are finite.
     pub(crate) fn admits(&self, value: &T) -> bool {
         *value >= self.min && *value <= self.max
     }
@@ -63,6 +64,20 @@ impl Rules {
             }
         }
         rules
+    }
+}
+
+impl Rules {
+    /// Whether every value that can be set is one that a setter admits.
+    pub(crate) fn admit(&self, values: &Values) -> bool {
+        fn all<T: PartialOrd>(rules: &[Rule<T>], values: &[T]) -> bool {
+            let mut pairs = rules.iter().zip(values);
+            pairs.all(|(rule, value)| rule.settable == Phases::NONE || rule.admits(value))
+        }
+        let mut texts = self.texts.iter().zip(&values.texts);
+        all(&self.reals, &values.reals)
+            && all(&self.integers, &values.integers)
+            && texts.all(|(rule, text)| rule.settable == Phases::NONE || rule.admits(text))
     }
 }
 

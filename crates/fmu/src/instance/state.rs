@@ -27,8 +27,9 @@ pub(crate) struct Origin {
     pub(crate) start_time: f64,
 }
 
-/// A saved instance. Any instance of the same interface can be set into it; stepping on gives
-/// the same bits as stepping on from the moment of saving.
+/// A saved instance, into which any instance of the same interface can be set.
+///
+/// Stepping on from it gives the same bits as stepping on from the moment of saving.
 #[derive(Serialize, Deserialize)]
 #[serde(bound = "")]
 pub struct SavedState<M: Model> {

@@ -6,8 +6,9 @@ use crate::instance::{Built, Instance};
 use crate::model::{Interval, Model};
 use crate::variables::Kind;
 
-/// By how much two times that should be equal may differ, relative to the greater of the time
-/// and the step. Masters compute `k·h` in several ways, which differ by some units of the last
+/// Relative difference of two times that count as equal: to the greater of time and step.
+///
+/// Masters compute `k·h` in several ways, which differ by some units of the last
 /// place (1e-16); a step left out at 1 ms is noticed up to 1e6 s.
 const TIME_TOLERANCE: f64 = 1e-9;
 
@@ -32,7 +33,7 @@ impl<M: Model> Instance<M> {
         let result = model.step(signals, &mut self.values, interval, &mut self.log);
         self.logger.drain(&mut self.log);
         if let Err(source) = result {
-            // An error that ends the simulation is told from a discarded step in `call`.
+            // An error that ends the simulation is told apart from a discarded step in `call`.
             self.phase = Phase::StepFailed;
             return Err(Error::Step { start, length, source });
         }
@@ -76,8 +77,9 @@ impl<M: Model> Instance<M> {
     }
 }
 
-/// Whether all values are finite: 0 times another is not a number. Four sums side by side and no early end
-/// make the loop one of vector instructions.
+/// Whether all values are finite: zero times any other number is not a number.
+///
+/// Four sums side by side and no early end make the loop one of vector instructions.
 fn all_finite(values: &[f64]) -> bool {
     let (fours, rest) = values.as_chunks::<4>();
     let mut sums = [0.0; 4];

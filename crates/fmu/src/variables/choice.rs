@@ -26,8 +26,9 @@ pub trait Choice: Copy + PartialEq + 'static {
     }
 }
 
-/// Makes an enumeration of what a String variable may be, a row in a table of
-/// [`variables!`](crate::variables!).
+/// Makes an enumeration of what a String variable may be.
+///
+/// Such a variable is a row `choice(…)` in a table of [`variables!`](crate::variables!).
 ///
 /// ```
 /// use fmu::Choice;

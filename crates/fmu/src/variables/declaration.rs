@@ -1,15 +1,14 @@
-//! The declaration of a model's variables: names, units, value references, start values and
-//! everything else that `ModelVariables` (§2.2.7) states.
+//! The declaration of a model's variables: all that `ModelVariables` (§2.2.7) states of them.
 
 use super::bounds::Bounds;
 use super::unit::Unit;
-use super::values::{Boolean, Integer, Text, Type, Values};
-use super::variable::{Causality, Initial, Terminal, Variability, Variable};
+use super::values::{Boolean, Integer, Real, Text, Type, Values};
+use super::variable::{Causality, Initial, Kind, Terminal, Variability, Variable};
 
 /// All variables of a model in the order in which they are declared.
 ///
 /// Most variables stand in tables, which [`variables!`](crate::variables!) declares; this declares
-/// those whose number or meaning no table can tell:
+/// those that fit no table:
 ///
 /// ```
 /// use fmu::{Declaration, unit};
@@ -39,6 +38,18 @@ impl Declaration {
     /// The start values of all variables; outputs start at zero.
     pub fn start_values(&self) -> &Values {
         &self.start
+    }
+
+    /// Gives a declared variable another start value than its table has: one that a file tells.
+    pub fn set_start(&mut self, variable: Real, value: f64) {
+        for declared in &mut self.variables {
+            if let Kind::Real { start, .. } = &mut declared.kind
+                && declared.reference == variable.reference()
+            {
+                *start = value;
+            }
+        }
+        self.start[variable] = value;
     }
 
     /// The declared terminals in order.
@@ -135,8 +146,7 @@ impl Declaration {
     }
 }
 
-/// A variable on its way into the [`Declaration`]; `input`, `output`, `parameter` or `tunable`
-/// ends it and gives the handle.
+/// A variable that is being declared; `input`, `output`, `parameter` or `tunable` ends it.
 #[must_use = "ends with input, output, parameter or tunable"]
 pub struct VariableDeclaration<'d, T: Type> {
     declaration: &'d mut Declaration,
@@ -247,6 +257,19 @@ mod tests {
         let (continuous, discrete) = (Variability::Continuous, Variability::Discrete);
         let expected = [continuous, discrete, discrete, discrete];
         assert_eq!(variabilities.collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn a_start_value_from_a_file_stands_in_place_of_that_of_the_table() {
+        let mut declaration = Declaration::default();
+        let axles = declaration.integer("axles", "Axles").parameter(4);
+        let friction = declaration.real("friction", unit::ONE, "Friction").within(0.0..).input(0.3);
+        declaration.set_start(friction, 0.36);
+        let [first, second] = declaration.variables() else { panic!("two variables") };
+        assert!(matches!(first.kind, Kind::Integer { start: 4, .. }));
+        assert!(matches!(second.kind, Kind::Real { start: 0.36, .. }));
+        let start = declaration.start_values();
+        assert_eq!((start[axles], start[friction]), (4, 0.36));
     }
 
     #[test]

@@ -19,8 +19,9 @@ pub struct Scope {
 }
 
 impl Scope {
-    /// The scope whose descriptions have `subject` where `{}` stands in them; `{}` in the subject
-    /// is that of before.
+    /// The scope whose descriptions have `subject` where `{}` stands in them.
+    ///
+    /// A `{}` in the subject itself is the subject of before.
     ///
     /// # Panics
     /// When the subject speaks of one before it, and there is none.

@@ -5,8 +5,10 @@ use std::fmt::Debug;
 
 use super::values::{Boolean, Integer, Real, Text, Values};
 
-/// Values that an FMU shows as variables: a number, a choice, or a table of
-/// [`variables!`](crate::variables!) with all that stands in it.
+/// Values that an FMU shows as variables.
+///
+/// They are a number, a text, a choice, or a table of [`variables!`](crate::variables!) with all
+/// that stands in it.
 pub trait Variables: Sized {
     /// Handles of the variables.
     type Handles: Copy + Debug + Send + Sync + 'static;

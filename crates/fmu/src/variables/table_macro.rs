@@ -33,7 +33,7 @@
 /// (a parameter that may change between steps), `input` or `output`; a table of groups only has
 /// no use of its own. It becomes
 /// - the struct of plain values, `Clone`, `Debug`, `PartialEq` and what the attributes add;
-/// - [`Handles<NAME>`](crate::Handles), with a handle in the place of each value;
+/// - [`Handles<NAME>`](crate::Handles), with a handle for each value;
 /// - `NAME::declare(declaration, scope)`, which declares the variables in the order of the rows;
 ///   the [`Scope`](crate::Scope) is what their names begin with;
 /// - [`NAME::read(handles, values)` and `value.write(handles, values)`](crate::Variables).
@@ -53,9 +53,20 @@
 /// | group: another table under the name, and what it is about | `group(Motion) = "the train"` | `Motion` |
 /// | groups | `["left", "right"], group(Wheel) = ["left wheel", "right wheel"]` | `[Wheel; 2]` |
 ///
-/// An output has no start value. The bounds of a number are a range, `0.0..` or `0.0..=1.0`, or
-/// [`above(0.0)`](crate::above), which excludes its smallest value. A group with the empty name
-/// stands where its table stands.
+/// The bounds of a number are a range, `0.0..` or `0.0..=1.0`, or [`above(0.0)`](crate::above),
+/// which excludes its smallest value. A group with the empty name stands where its table stands.
+///
+/// An output has no start value, since the model computes it:
+///
+/// ```compile_fail
+/// fmu::variables! {
+///     /// What the model computes.
+///     pub struct Outputs: output {
+///         /// Chainage
+///         position: "position", METRE = 0.0;
+///     }
+/// }
+/// ```
 #[macro_export]
 macro_rules! variables {
     ($(
@@ -68,8 +79,10 @@ macro_rules! variables {
     )+};
 }
 
-/// Takes one row of [`variables!`](crate::variables!) after the other into a list of
-/// `{ field: type = expression that declares it }`, and makes the code of the list.
+/// Turns the rows of [`variables!`](crate::variables!) into code.
+///
+/// One row after the other becomes `{ tag field: type = expression that declares it }` in a list;
+/// the tag is `real` or `other`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! variable_table {
@@ -81,7 +94,7 @@ macro_rules! variable_table {
     ) => {
         $crate::variable_table! {
             ($declaration, $scope, [$usage], $($head)*)
-            [$($done)* { $(#[doc = $doc])+ $field: bool = $declaration
+            [$($done)* { other $(#[doc = $doc])+ $field: bool = $declaration
                 .boolean($scope.name($name), $scope.description(&[$($doc),+]))
                 .$usage($($start)?) }]
             $($rows)*
@@ -95,7 +108,7 @@ macro_rules! variable_table {
     ) => {
         $crate::variable_table! {
             ($declaration, $scope, [$usage], $($head)*)
-            [$($done)* { $(#[doc = $doc])+ $field: i32 = $declaration
+            [$($done)* { other $(#[doc = $doc])+ $field: i32 = $declaration
                 .integer($scope.name($name), $scope.description(&[$($doc),+]))
                 $(.within($bounds))?
                 .$usage($($start)?) }]
@@ -110,7 +123,7 @@ macro_rules! variable_table {
     ) => {
         $crate::variable_table! {
             ($declaration, $scope, [$usage], $($head)*)
-            [$($done)* { $(#[doc = $doc])+ $field: String = $declaration
+            [$($done)* { other $(#[doc = $doc])+ $field: String = $declaration
                 .text($scope.name($name), $scope.description(&[$($doc),+]))
                 .$usage($($start)?) }]
             $($rows)*
@@ -124,7 +137,7 @@ macro_rules! variable_table {
     ) => {
         $crate::variable_table! {
             ($declaration, $scope, [$usage], $($head)*)
-            [$($done)* { $(#[doc = $doc])+ $field: $choice = $declaration
+            [$($done)* { other $(#[doc = $doc])+ $field: $choice = $declaration
                 .text($scope.name($name), $scope.description(&[$($doc),+]))
                 .one_of(<$choice as $crate::Choice>::TEXTS)
                 .$usage($($crate::Choice::text($start))?) }]
@@ -139,7 +152,7 @@ macro_rules! variable_table {
     ) => {
         $crate::variable_table! {
             ($declaration, $scope, [$usage], $($head)*)
-            [$($done)* { $(#[doc = $doc])+ $field: $crate::ResourceFile = $crate::FileHandle {
+            [$($done)* { other $(#[doc = $doc])+ $field: $crate::ResourceFile = $crate::FileHandle {
                 parameter: $declaration
                     .text($scope.name($name), $scope.description(&[$($doc),+]))
                     .$usage(""),
@@ -156,7 +169,7 @@ macro_rules! variable_table {
     ) => {
         $crate::variable_table! {
             ($declaration, $scope, $usage, $($head)*)
-            [$($done)* { $(#[doc = $doc])+ $field: $group = <$group>::declare(
+            [$($done)* { other $(#[doc = $doc])+ $field: $group = <$group>::declare(
                 $declaration,
                 $scope.group($name)$(.about($subject))?,
             ) }]
@@ -171,7 +184,7 @@ macro_rules! variable_table {
     ) => {
         $crate::variable_table! {
             ($declaration, $scope, $usage, $($head)*)
-            [$($done)* { $(#[doc = $doc])+ $field: [$group; [$($name),+].len()] = [$(
+            [$($done)* { other $(#[doc = $doc])+ $field: [$group; [$($name),+].len()] = [$(
                 <$group>::declare($declaration, $scope.group($name).about($subject))
             ),+] }]
             $($rows)*
@@ -186,7 +199,7 @@ macro_rules! variable_table {
     ) => {
         $crate::variable_table! {
             ($declaration, $scope, [$usage], $($head)*)
-            [$($done)* { $(#[doc = $doc])+ $field: f64 = $declaration
+            [$($done)* { real $(#[doc = $doc])+ $field: f64 = $declaration
                 .real($scope.name($name), $crate::unit::$unit, $scope.description(&[$($doc),+]))
                 $(.within($bounds))?
                 .$usage($($start)?) }]
@@ -199,7 +212,7 @@ macro_rules! variable_table {
             $declaration:ident, $scope:ident, $usage:tt,
             $(#[$attribute:meta])* $visibility:vis $table:ident
         )
-        [$({ $(#[$doc:meta])+ $field:ident: $type:ty = $handle:expr })+]
+        [$({ $tag:ident $(#[$doc:meta])+ $field:ident: $type:ty = $handle:expr })+]
     ) => {
         $(#[$attribute])*
         #[derive(Clone, Debug, PartialEq)]
@@ -227,19 +240,52 @@ macro_rules! variable_table {
                 }
             }
 
-            impl $crate::Variables for $table {
-                type Handles = TableHandles;
-
-                #[inline]
-                fn read(handles: &TableHandles, values: &$crate::Values) -> Self {
-                    Self { $($field: $crate::Variables::read(&handles.$field, values),)+ }
-                }
-
-                #[inline]
-                fn write(&self, handles: &TableHandles, values: &mut $crate::Values) {
-                    $($crate::Variables::write(&self.$field, &handles.$field, values);)+
-                }
-            }
+            $crate::table_access! { $table TableHandles $({ $tag $field })+ }
         };
+    };
+    // No kind of row fits, or the table has no use.
+    ($head:tt $done:tt $($rows:tt)+) => {
+        compile_error!(concat!("`fmu::variables!` cannot read: ", stringify!($($rows)+)));
+    };
+}
+
+/// How the values of a table are read and written.
+///
+/// Real variables that are declared one after the other have references one after the other, so a
+/// table of nothing else is copied at once.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! table_access {
+    ($table:ident $handles:ident { real $first:ident } $({ real $field:ident })*) => {
+        impl $crate::Variables for $table {
+            type Handles = $handles;
+
+            #[inline]
+            fn read(handles: &$handles, values: &$crate::Values) -> Self {
+                let [$first $(, $field)*] = values[$crate::Reals::from_first(handles.$first)];
+                Self { $first $(, $field)* }
+            }
+
+            #[inline]
+            fn write(&self, handles: &$handles, values: &mut $crate::Values) {
+                let reals = $crate::Reals::from_first(handles.$first);
+                values[reals] = [self.$first $(, self.$field)*];
+            }
+        }
+    };
+    ($table:ident $handles:ident $({ $tag:ident $field:ident })+) => {
+        impl $crate::Variables for $table {
+            type Handles = $handles;
+
+            #[inline]
+            fn read(handles: &$handles, values: &$crate::Values) -> Self {
+                Self { $($field: $crate::Variables::read(&handles.$field, values),)+ }
+            }
+
+            #[inline]
+            fn write(&self, handles: &$handles, values: &mut $crate::Values) {
+                $($crate::Variables::write(&self.$field, &handles.$field, values);)+
+            }
+        }
     };
 }

@@ -149,6 +149,12 @@ impl<const N: usize> Reals<N> {
         assert!(in_turn, "{handles:?} were not declared one after the other");
         Self { first }
     }
+
+    /// The variable with this handle and those declared after it.
+    #[doc(hidden)]
+    pub fn from_first(Real(first): Real) -> Self {
+        Self { first }
+    }
 }
 
 impl<const N: usize> Index<Reals<N>> for Values {

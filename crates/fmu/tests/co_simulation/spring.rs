@@ -4,8 +4,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use fmu::{
-    Boolean, Declaration, Identity, Integer, Interval, Log, Model, ModelError, Real, Text, Values,
-    unit,
+    Declaration, Handles, Identity, Interval, Log, Model, ModelError, Real, Values, Variables, unit,
 };
 use serde::{Deserialize, Serialize};
 
@@ -14,38 +13,70 @@ pub const LONGEST_STEP: f64 = 1.0;
 
 /// The model: what is computed once from the parameters, and the state.
 pub struct Spring {
-    /// Mass, kg.
-    mass: f64,
+    load: Load,
+    parameters: Parameters,
     /// Force when the simulation began, N: balances the spring's weight for good. It is computed
     /// once and is therefore not in the state.
     preload: f64,
     state: State,
 }
 
-/// What changes in a step.
-#[derive(Clone, Serialize, Deserialize)]
-pub struct State {
-    /// Elongation, m.
-    position: f64,
-    /// Its rate, m/s.
-    velocity: f64,
+fmu::variables! {
+    /// What drives the spring.
+    #[derive(Copy)]
+    pub struct Drive: input {
+        /// Force on the mass
+        force: "force", NEWTON = 0.0, ..=1e6;
+    }
+
+    /// What hangs on the spring.
+    #[derive(Copy)]
+    pub struct Load: parameter {
+        /// Mass
+        mass: "mass", KILOGRAM = 1.0, 0.1..;
+    }
+
+    /// What may change between steps.
+    #[derive(Copy)]
+    pub struct Tuning: tunable {
+        /// Stiffness times one metre
+        stiffness: "stiffness", NEWTON = 100.0, 0.0..=1e9;
+    }
+
+    /// What else is fixed when the simulation begins.
+    pub struct Parameters: parameter {
+        /// First elongation
+        initial_position: "initial.position", METRE = 0.1;
+        /// Substeps in a step
+        substeps: "substeps", i32 = 4, 1..=100;
+        /// Whether there is friction
+        damped: "damped", bool = true;
+        /// How to fail.
+        ///
+        /// `panic`, `error`, `nan`, `warning`, or with `start` before it already in the
+        /// initialization.
+        trouble: "trouble", String = "";
+        /// When to fail
+        trouble_time: "trouble.time", SECOND = 0.0;
+    }
+
+    /// What changes in a step.
+    #[derive(Copy, Serialize, Deserialize)]
+    pub struct State: output {
+        /// Elongation
+        position: "position", METRE;
+        /// Its rate
+        velocity: "velocity", METRE_PER_SECOND;
+    }
 }
 
 /// Handles of the variables.
 pub struct Signals {
-    pub force: Real,
-    pub mass: Real,
-    pub stiffness: Real,
-    pub initial_position: Real,
-    pub substeps: Integer,
-    pub damped: Boolean,
-    /// How to fail: `panic`, `error`, `nan`, `warning`, or with `start` before it already in the
-    /// initialization.
-    pub trouble: Text,
-    /// When to fail, s.
-    pub trouble_time: Real,
-    pub position: Real,
-    pub velocity: Real,
+    pub drive: Handles<Drive>,
+    pub load: Handles<Load>,
+    pub tuning: Handles<Tuning>,
+    pub parameters: Handles<Parameters>,
+    pub state: Handles<State>,
     /// Elongation at points along the spring; as many as the file `points.txt` says.
     pub points: Vec<Real>,
 }
@@ -64,22 +95,11 @@ impl Model for Spring {
     fn declare(resources: &Path, d: &mut Declaration) -> Result<Signals, ModelError> {
         let points = number_of_points(&resources.join("points.txt"))?;
         Ok(Signals {
-            force: d.real("force", unit::NEWTON, "Force on the mass").max(1e6).input(0.0),
-            mass: d.real("mass", unit::KILOGRAM, "Mass").min(0.1).parameter(1.0),
-            stiffness: d
-                .real("stiffness", unit::NEWTON, "Stiffness times one metre")
-                .min(0.0)
-                .max(1e9)
-                .tunable(100.0),
-            initial_position: d
-                .real("initial.position", unit::METRE, "First elongation")
-                .parameter(0.1),
-            substeps: d.integer_parameter("substeps", "Substeps in a step", 4, (1, 100)),
-            damped: d.boolean_parameter("damped", "Whether there is friction", true),
-            trouble: d.text_parameter("trouble", "How to fail", ""),
-            trouble_time: d.real("trouble.time", unit::SECOND, "When to fail").parameter(0.0),
-            position: d.real("position", unit::METRE, "Elongation").output(),
-            velocity: d.real("velocity", unit::METRE_PER_SECOND, "Its rate").output(),
+            drive: Drive::declare(d, ""),
+            load: Load::declare(d, ""),
+            tuning: Tuning::declare(d, ""),
+            parameters: Parameters::declare(d, ""),
+            state: State::declare(d, ""),
             points: (1..=points)
                 .map(|point| {
                     d.terminal(format!("point[{point}]"), "point", "A point of the spring");
@@ -97,15 +117,16 @@ impl Model for Spring {
         _start_time: f64,
         log: &mut Log,
     ) -> Result<Self, ModelError> {
+        let parameters = Parameters::read(&signals.parameters, values);
         let spring = Self {
-            mass: values[signals.mass],
-            preload: values[signals.force],
-            state: State { position: values[signals.initial_position], velocity: 0.0 },
+            load: Load::read(&signals.load, values),
+            preload: Drive::read(&signals.drive, values).force,
+            state: State { position: parameters.initial_position, velocity: 0.0 },
+            parameters,
         };
-        log.event(format!("100 % ready with {} kg", spring.mass));
+        log.event(format!("100 % ready with {} kg", spring.load.mass));
         spring.show(signals, values);
-        let trouble = values[signals.trouble].clone();
-        if let Some(trouble) = trouble.strip_prefix("start ") {
+        if let Some(trouble) = spring.parameters.trouble.strip_prefix("start ") {
             make_trouble(trouble, signals, values, log)?;
         }
         Ok(spring)
@@ -122,26 +143,24 @@ impl Model for Spring {
             let sentence = format!("at most {LONGEST_STEP} s can be done in one step");
             return Err(ModelError::step_too_long(sentence));
         }
-        let substeps = values[signals.substeps];
+        let Drive { force } = Drive::read(&signals.drive, values);
+        let Tuning { stiffness } = Tuning::read(&signals.tuning, values);
+        let Parameters { substeps, damped, .. } = self.parameters;
         let length = interval.length / f64::from(substeps);
-        let damping = if values[signals.damped] { 2.0 } else { 0.0 };
+        let damping = if damped { 2.0 } else { 0.0 };
         for _ in 0..substeps {
             let State { position, velocity } = &mut self.state;
-            let force = values[signals.force]
-                - self.preload
-                - values[signals.stiffness] * *position
-                - damping * *velocity;
-            *velocity += force / self.mass * length;
+            let force = force - self.preload - stiffness * *position - damping * *velocity;
+            *velocity += force / self.load.mass * length;
             *position += *velocity * length;
         }
         self.show(signals, values);
-        if interval.start >= values[signals.trouble_time] {
-            let trouble = values[signals.trouble].clone();
-            if trouble == "panic" {
+        if interval.start >= self.parameters.trouble_time {
+            if self.parameters.trouble == "panic" {
                 // What is not in the state breaks, so that restoring the state is not enough.
                 self.preload = f64::NAN;
             }
-            make_trouble(&trouble, signals, values, log)?;
+            make_trouble(&self.parameters.trouble, signals, values, log)?;
         }
         Ok(())
     }
@@ -162,8 +181,7 @@ impl Model for Spring {
 
 impl Spring {
     fn show(&self, signals: &Signals, values: &mut Values) {
-        values[signals.position] = self.state.position;
-        values[signals.velocity] = self.state.velocity;
+        self.state.write(&signals.state, values);
         let count = signals.points.len() as f64;
         for (index, &point) in signals.points.iter().enumerate() {
             values[point] = self.state.position * ((index + 1) as f64 / count);
@@ -180,7 +198,7 @@ fn make_trouble(
     match trouble {
         "panic" => panic!("the spring snapped"),
         "error" => return Err(ModelError::new("the spring is too hot")),
-        "nan" => values[signals.velocity] = f64::NAN,
+        "nan" => values[signals.state.velocity] = f64::NAN,
         "warning" => log.warning("the spring creaks"),
         _ => {}
     }

@@ -76,10 +76,10 @@ fn a_state_knows_its_phase() {
 fn a_state_that_is_there_is_overwritten() {
     let fmu = Fmu::running();
     let mut state = fmu.save();
-    let place = state;
+    let before = state;
     run(&fmu, 0, 5);
     assert_eq!(fmu.save_into(&mut state), Status::Ok);
-    assert_eq!(state, place);
+    assert_eq!(state, before);
     let expected = run(&fmu, 5, 5);
     assert_eq!(fmu.restore(state), Status::Ok);
     assert_eq!(run(&fmu, 5, 5), expected);

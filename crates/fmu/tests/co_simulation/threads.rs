@@ -30,8 +30,8 @@ fn run_native(mut instance: Instance<Spring>, spring: u32) -> Result<Vec<u64>, f
     instance.setup_experiment(0.0, None)?;
     instance.enter_initialization_mode()?;
     instance.exit_initialization_mode()?;
-    let input = instance.signals().force.reference();
-    let output = instance.signals().position.reference();
+    let input = instance.signals().drive.force.reference();
+    let output = instance.signals().state.position.reference();
     let mut bits = Vec::new();
     for index in 0..STEPS {
         instance.set_real(&[input], [force(spring, index)])?;

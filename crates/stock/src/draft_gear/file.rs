@@ -30,8 +30,9 @@ use super::force_curve::ForceCurve;
 use super::wedge::Wedge;
 use super::{Characteristic, DraftGear, Orifice};
 
-/// Stiffness of an elastic gear's lock over the steepest piece of its curve: any number above one
-/// gives the same force.
+/// Stiffness of an elastic gear's lock over the steepest piece of its curve.
+///
+/// Any number above one gives the same force.
 const ELASTIC_LOCK: f64 = 2.0;
 
 /// Deflection up to which the curve of a drawbar is given, mm; it goes on alike.
@@ -43,8 +44,7 @@ struct Drawbar {
     stiffness_mn_m: f64,
 }
 
-/// Declares the file of a gear and its section `[buff]`, which have the same keys for the two
-/// directions, and a [`Side`] with these keys.
+/// Declares the file of a gear, its section `[buff]`, and a [`Side`], all with the same keys.
 macro_rules! keys_of_a_direction {
     ($($key:ident: $kind:ty),* $(,)?) => {
         #[derive(Deserialize)]
@@ -297,6 +297,6 @@ mod tests {
     #[test]
     fn a_lock_softer_than_the_curve_is_refused() {
         let message = message("loss_percent = 40\nlocked_stiffness_mn_m = 9", "");
-        assert!(message.contains("structure_stiffness_mn_m = 50 MN/m: must be less"), "{message}");
+        assert!(message.contains("structure_stiffness_mn_m = 50: must be less"), "{message}");
     }
 }

@@ -63,8 +63,9 @@ impl ForceCurve {
         }
     }
 
-    /// A gear gives back no more than it took: its unloading curve is nowhere above `loading`, and
-    /// both end at the same deflection.
+    /// A gear gives back no more than it took.
+    ///
+    /// Its unloading curve is nowhere above `loading`, and both end at the same deflection.
     pub(crate) fn check_is_below(&self, loading: &Self, check: &Check) -> Result<(), Mistake> {
         let travel = loading.travel_mm();
         if self.travel_mm() != travel {

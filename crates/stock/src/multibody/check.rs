@@ -44,7 +44,7 @@ impl<'a> Checker<'a> {
         Ok(Self { multibody, check, names })
     }
 
-    /// Masses, inertias and places, and the sum of the masses against the vehicle's.
+    /// Masses, inertias and positions, and the sum of the masses against the vehicle's.
     pub fn masses(&self, mass_kg: f64) -> Checked {
         let height = self.multibody.coupler.height_m;
         self.check.between("coupler.height_m", height, 0.0, 3.0)?;
@@ -58,7 +58,7 @@ impl<'a> Checker<'a> {
                 && wheelset.x_m >= before.x_m
             {
                 let wanted = format!(
-                    "must be less than {}, the place of the wheelset before it: wheelsets stand \
+                    "must be less than {}, that of the wheelset before it: wheelsets stand \
                      from front to rear",
                     before.x_m
                 );
@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn wrong_values_are_named_with_key_value_and_remedy() {
         let negative = message("900.0", "-1.0");
-        assert!(negative.starts_with("v.toml:5:44: multibody.body[1].mass_kg = -1.0: must be"));
+        assert!(negative.starts_with("v.toml:5:45: multibody.body[1].mass_kg = -1.0: must be"));
         assert!(message("900.0", "800.0").contains("must add up to the vehicle's mass_kg = 1000"));
         assert!(message("\"frame\", \"axle\"", "\"frame\", \"axel\"").contains("axel"));
         assert!(message("[0.0, 1.0, 0.46]", "[0.0, 1.0, 0.5]").contains("act in the axle"));

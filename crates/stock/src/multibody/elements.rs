@@ -76,10 +76,9 @@ pub struct Stop {
     pub stiffness_n_m: f64,
 }
 
-/// Springs with a table of force over displacement between two bodies, one at each point, such as
-/// progressive bump stops.
+/// Springs with a table of force over displacement, one at each point between two bodies.
 ///
-/// A table that begins at displacement zero holds for both directions.
+/// Such are progressive bump stops. A table that begins at displacement zero holds for both directions.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct TabulatedSpring {
@@ -91,8 +90,9 @@ pub struct TabulatedSpring {
     pub points_m: Vec<[f64; 3]>,
     /// Direction in which it acts.
     pub direction: Direction,
-    /// Displacements of the second body against the first from the place at rest, mm, rising; the
-    /// last slopes go on outside.
+    /// Displacements of the second body against the first from rest, mm, rising.
+    ///
+    /// The last slopes go on outside.
     pub displacement_mm: Vec<f64>,
     /// Forces that push the second body back, N.
     pub force_n: Vec<f64>,

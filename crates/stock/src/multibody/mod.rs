@@ -1,5 +1,4 @@
-//! The `[multibody]` section of a vehicle file: bodies, wheelsets, contact, and the lists of force
-//! elements.
+//! The `[multibody]` section of a vehicle file: bodies, wheelsets, contact and force elements.
 //!
 //! | file | part |
 //! |---|---|
@@ -83,8 +82,7 @@ pub struct CouplerAttachment {
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct WheelRailContact {
-    /// Name of the wheel profile, such as `"S1002"` or `"cone-1-20"`, or the path of a file of points
-    /// (`profile_files.rs`).
+    /// Name of the wheel profile, such as `"S1002"`, or the path of a file of points.
     pub wheel: String,
     /// Name of the rail profile, such as `"60E1"`, or the path of a file of points.
     pub rail: String,
@@ -129,7 +127,7 @@ pub struct Wheelset {
     pub mass_kg: f64,
     /// Moments of inertia about x, y (with the rotor reflected), z, kg m².
     pub inertia_kg_m2: [f64; 3],
-    /// Place along the vehicle: x from its middle, m.
+    /// Position along the vehicle: x from its middle, m.
     pub x_m: f64,
     /// Radius of the running circle, m.
     pub wheel_radius_m: f64,

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::number::{not_negative, number, positive};
+
 /// Arguments of `hotfoot contact`.
 #[derive(Args)]
 pub struct ContactArguments {
@@ -14,31 +16,31 @@ pub struct ContactArguments {
     #[arg(long, default_value = "60E1")]
     pub(super) rail: String,
     /// Inclination of the rails, 0.025 for 1:40
-    #[arg(long, default_value_t = 0.025)]
+    #[arg(long, default_value_t = 0.025, value_parser = not_negative)]
     pub(super) inclination: f64,
     /// Track gauge, mm
-    #[arg(long, default_value_t = 1435.0)]
+    #[arg(long, default_value_t = 1435.0, value_parser = positive)]
     pub(super) gauge_mm: f64,
     /// Distance of the flange backs, mm
-    #[arg(long, default_value_t = 1360.0)]
+    #[arg(long, default_value_t = 1360.0, value_parser = positive)]
     pub(super) flange_back_distance_mm: f64,
     /// Radius of the wheels at the running circle, m
-    #[arg(long, default_value_t = 0.46)]
+    #[arg(long, default_value_t = 0.46, value_parser = positive)]
     pub(super) radius: f64,
     /// Vertical load of a wheel, N, for the sizes of the patches
-    #[arg(long, default_value_t = 100e3)]
+    #[arg(long, default_value_t = 100e3, value_parser = positive)]
     pub(super) load: f64,
     /// First lateral displacement of the wheelset to the right, mm
-    #[arg(long, default_value_t = -8.0, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = -8.0, value_parser = number, allow_hyphen_values = true)]
     pub(super) from_mm: f64,
     /// Last lateral displacement, mm
-    #[arg(long, default_value_t = 8.0, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 8.0, value_parser = number, allow_hyphen_values = true)]
     pub(super) to_mm: f64,
     /// Step of the displacement, mm
-    #[arg(long, default_value_t = 0.5)]
+    #[arg(long, default_value_t = 0.5, value_parser = positive)]
     pub(super) step_mm: f64,
     /// Yaw of the wheelset, mrad
-    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 0.0, value_parser = number, allow_hyphen_values = true)]
     pub(super) yaw_mrad: f64,
     /// Draw the values into this SVG file instead of printing them
     #[arg(long, value_name = "FILE.svg")]

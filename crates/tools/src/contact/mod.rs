@@ -10,34 +10,29 @@ mod arguments;
 mod placement;
 mod plot;
 
-use miette::{Result, ensure};
-
 pub use arguments::ContactArguments;
 use placement::{Placement, placements};
+
+use crate::error::{ToolError, ensure};
 
 /// Most displacements of a table: each takes a search of some milliseconds.
 const MOST_DISPLACEMENTS: f64 = 1e4;
 
-/// Prints the contacts of both wheels as comma-separated values, a row for each contact, or draws them.
+/// The contacts of both wheels as comma-separated values, a row each; or draws them and names the file.
 ///
 /// # Errors
 /// When a profile is not known, a wheel stands beside its rail, or the plot cannot be written.
-pub fn contact(arguments: &ContactArguments) -> Result<()> {
-    ensure!(arguments.step_mm > 0.0, "--step-mm must be greater than zero");
-    ensure!(arguments.load > 0.0, "--load must be greater than zero");
+pub fn contact(arguments: &ContactArguments) -> Result<String, ToolError> {
     let span = arguments.to_mm - arguments.from_mm;
-    ensure!(span >= 0.0, "--to-mm must not be below --from-mm");
-    ensure!(
+    ensure(span >= 0.0, "--to-mm must not be below --from-mm")?;
+    ensure(
         span / arguments.step_mm <= MOST_DISPLACEMENTS,
-        "--step-mm makes more than {MOST_DISPLACEMENTS} rows"
-    );
+        format!("--step-mm makes more than {MOST_DISPLACEMENTS} rows"),
+    )?;
     let placements = placements(arguments)?;
     match &arguments.plot {
         Some(file) => plot::page(arguments, &placements).write(file),
-        None => {
-            print!("{}", csv(&placements));
-            Ok(())
-        }
+        None => Ok(csv(&placements)),
     }
 }
 

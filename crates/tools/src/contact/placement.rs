@@ -1,11 +1,11 @@
-//! A wheelset at a lateral displacement: how its wheels touch the rails, and how they share their loads.
+//! A wheelset at a lateral displacement: its contacts, and how they share the load.
 
 use contact::{
     EquivalentConicity, ProfilePair, RailProfile, WheelContact, WheelProfile, wheelset_geometry,
 };
-use miette::{IntoDiagnostic, Result};
 
 use super::arguments::ContactArguments;
+use crate::error::ToolError;
 
 const MM: f64 = 1e-3;
 
@@ -56,24 +56,24 @@ impl LoadedContact {
 }
 
 /// The wheelset at all displacements that are asked for.
-pub(super) fn placements(arguments: &ContactArguments) -> Result<Vec<Placement>> {
+pub(super) fn placements(arguments: &ContactArguments) -> Result<Vec<Placement>, ToolError> {
     let pair = ProfilePair {
-        wheel: WheelProfile::named(&arguments.wheel).into_diagnostic()?,
-        rail: RailProfile::named(&arguments.rail).into_diagnostic()?,
+        wheel: WheelProfile::named(&arguments.wheel)?,
+        rail: RailProfile::named(&arguments.rail)?,
         rail_inclination: arguments.inclination,
         gauge: arguments.gauge_mm * MM,
         flange_back_distance: arguments.flange_back_distance_mm * MM,
         nominal_radius: arguments.radius,
     };
     let greatest = arguments.from_mm.abs().max(arguments.to_mm.abs());
-    let conicity = EquivalentConicity::new(&pair, greatest * MM).into_diagnostic()?;
+    let conicity = EquivalentConicity::new(&pair, greatest * MM)?;
     let steps = ((arguments.to_mm - arguments.from_mm) / arguments.step_mm + 1e-9).floor();
     let displacements =
         (0..=steps as usize).map(|step| arguments.from_mm + step as f64 * arguments.step_mm);
     displacements
         .map(|lateral_mm| {
             let yaw = arguments.yaw_mrad * MM;
-            let geometry = wheelset_geometry(&pair, lateral_mm * MM, yaw).into_diagnostic()?;
+            let geometry = wheelset_geometry(&pair, lateral_mm * MM, yaw)?;
             let difference = geometry.radius_difference() / MM;
             let loaded = |contacts: &[WheelContact]| {
                 let loads = shared(contacts, arguments.load);

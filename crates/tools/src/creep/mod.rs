@@ -10,41 +10,30 @@ mod arguments;
 mod plot;
 mod row;
 
-use contact::CreepForces;
-use miette::{Result, ensure};
+use contact::{CreepForces, TangentialForce};
 
 pub use arguments::CreepArguments;
 use row::{Row, rows};
 
-/// Prints a row of comma-separated values for each creepage, or draws them.
+use crate::error::{ToolError, ensure};
+
+/// A row of comma-separated values for each creepage; or draws them and names the file.
 ///
 /// # Errors
 /// When the contact is not given, the lists of creepages differ in length, or the plot cannot be
 /// written.
-pub fn creep(arguments: &CreepArguments) -> Result<()> {
-    ensure!(arguments.load > 0.0, "--load must be greater than zero");
-    ensure!(arguments.speed > 0.0, "--speed must be greater than zero");
-    ensure!(
-        arguments.friction > 0.0 && arguments.limit_ratio >= 0.0 && arguments.decay >= 0.0,
-        "--friction must be greater than zero, --limit-ratio and --decay not negative"
-    );
-    let [initial, remaining, fall] = [0, 1, 2].map(|i| arguments.reduction[i]);
-    ensure!(
-        initial > 0.0 && (0.0..=1.0).contains(&remaining) && fall >= 0.0,
-        "--reduction must be k0 greater than zero, alpha between 0 and 1, beta not negative"
-    );
+pub fn creep(arguments: &CreepArguments) -> Result<String, ToolError> {
+    let [initial, remaining] = [0, 1].map(|i| arguments.reduction[i]);
+    ensure(
+        initial > 0.0 && remaining <= 1.0,
+        "--reduction must be k0 greater than zero, alpha between 0 and 1, beta not negative",
+    )?;
     let [adhesion, slip] = [0, 1].map(|i| arguments.factors[i]);
-    ensure!(
-        adhesion >= slip && slip > 0.0,
-        "--factors must be kA not below kS, both greater than zero"
-    );
+    ensure(adhesion >= slip, "--factors must be kA not below kS, both greater than zero")?;
     let rows = rows(arguments)?;
     match &arguments.plot {
         Some(file) => plot::page(arguments, &rows)?.write(file),
-        None => {
-            print!("{}", csv(&rows));
-            Ok(())
-        }
+        None => Ok(csv(&rows)),
     }
 }
 
@@ -55,7 +44,8 @@ fn csv(rows: &[Row]) -> String {
          friction_power_w,flash_temperature_k\n",
     );
     for Row { creepages: [xi, eta, phi], forces, flash } in rows {
-        let CreepForces { longitudinal, lateral, spin_moment, friction_power, .. } = forces;
+        let CreepForces { force, spin_moment, friction_power, .. } = forces;
+        let TangentialForce { longitudinal, lateral } = force;
         text += &format!(
             "{xi},{eta},{phi},{longitudinal:.3},{lateral:.3},{spin_moment:.4},\
              {friction_power:.4},{flash:.3}\n"

@@ -1,11 +1,11 @@
 //! The plot of `hotfoot creep`: forces, friction power and flash temperature over the creepage.
 
 use clap::ValueEnum;
-use miette::{Result, bail};
 use plotters::style::RGBColor;
 
 use super::arguments::CreepArguments;
 use super::row::Row;
+use crate::error::ToolError;
 use crate::plot::{BLACK, BLUE, Curve, Page, Panel, VERMILION};
 
 /// Names of the creepages.
@@ -18,10 +18,11 @@ type Quantity = fn(&Row) -> f64;
 ///
 /// # Errors
 /// When no creepage changes from row to row.
-pub(super) fn page(arguments: &CreepArguments, rows: &[Row]) -> Result<Page> {
+pub(super) fn page(arguments: &CreepArguments, rows: &[Row]) -> Result<Page, ToolError> {
     let changes = |&i: &usize| rows.iter().any(|row| row.creepages[i] != rows[0].creepages[i]);
     let Some(axis) = (0..CREEPAGES.len()).find(changes) else {
-        bail!("--plot needs a list of creepages that differ, such as --longitudinal 0,0.001,0.002");
+        let wanted = "--plot needs a list of creepages that differ, such as --longitudinal 0,0.001";
+        return Err(ToolError::Options(wanted.to_owned()));
     };
     let panel = |vertical, curves: &[(RGBColor, Quantity)]| Panel {
         horizontal: CREEPAGES[axis].to_owned(),
@@ -44,7 +45,10 @@ pub(super) fn page(arguments: &CreepArguments, rows: &[Row]) -> Result<Page> {
         panels: vec![
             panel(
                 "creep force on the wheel in N",
-                &[(BLUE, |row| row.forces.longitudinal), (VERMILION, |row| row.forces.lateral)],
+                &[
+                    (BLUE, |row| row.forces.force.longitudinal),
+                    (VERMILION, |row| row.forces.force.lateral),
+                ],
             ),
             panel("friction power in W", &[(BLACK, |row| row.forces.friction_power)]),
             panel("spin moment on the wheel in N m", &[(BLACK, |row| row.forces.spin_moment)]),

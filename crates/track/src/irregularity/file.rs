@@ -226,7 +226,7 @@ mod tests {
         let spectrum = "irregularity.spectrum = { quality = 'erri-low', seed = 1, begin_m = 0, \
                         length_m = 1 }";
         let told = message(spectrum);
-        let wanted = "t.toml:1:90: irregularity.spectrum.length_m = 1: must lie between 50 and";
+        let wanted = "t.toml:1:83: irregularity.spectrum.length_m = 1: must lie between 50 and";
         assert!(told.starts_with(wanted), "{told}");
         let missing = "irregularity.file = 'nowhere.csv'";
         assert!(message(missing).contains("nowhere.csv"));

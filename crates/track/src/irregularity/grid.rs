@@ -1,6 +1,6 @@
 //! Irregularities at equal distances, with a cubic through values and central slopes between them.
 
-use super::RailOffset;
+use super::rail_offset::RailOffset;
 
 /// Values at one chainage: lateral left, vertical left, lateral right, vertical right, m.
 pub(super) type Row = [f64; 4];

@@ -6,32 +6,22 @@
 //! | `grid.rs` | values at equal distances, from a file of measured irregularities |
 //! | `spectrum.rs` | random irregularities by a power spectral density and a seed |
 //! | `shape.rs` | single defects: ramp, sine, dip |
+//! | `rail_offset.rs` | what they come down to at a chainage |
 //!
 //! Across is positive to the right, down positive. The designed line is not touched: the train
 //! model does not know irregularities.
 
 mod file;
 mod grid;
+mod rail_offset;
 mod shape;
 mod spectrum;
 
 pub(crate) use file::Section;
+pub use rail_offset::RailOffset;
 
 use grid::Grid;
 use shape::Shape;
-
-/// Offset of one rail from its designed line, and the change of the offset along the track.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RailOffset {
-    /// Across, to the right, m.
-    pub lateral: f64,
-    /// Down, m.
-    pub vertical: f64,
-    /// Change of `lateral` along the track, m/m.
-    pub lateral_slope: f64,
-    /// Change of `vertical` along the track, m/m.
-    pub vertical_slope: f64,
-}
 
 /// Irregularities of both rails.
 #[derive(Clone, Debug, Default)]

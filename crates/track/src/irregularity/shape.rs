@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use serde::Deserialize;
 
-use super::RailOffset;
+use super::rail_offset::RailOffset;
 
 /// Form of a defect.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]

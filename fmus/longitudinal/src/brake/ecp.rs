@@ -71,3 +71,37 @@ impl EcpBrake {
         *cylinder += rate * step;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BRAKE: EcpBrake =
+        EcpBrake { dead_time: 0.5, lag: 2.0, build_up_rate: 0.1, release_rate: 0.05 };
+
+    /// The cylinder after a command has held for a time, s, in steps of 1 ms.
+    fn cylinder(from: f64, command: f64, time: f64) -> f64 {
+        let (mut state, mut cylinder) = (EcpState::settled(from), from);
+        for _ in 0..(time * 1e3).round() as u32 {
+            BRAKE.advance(&mut state, &mut cylinder, command, 1e-3);
+        }
+        cylinder
+    }
+
+    /// Full service: nothing for 0.5 s, then 0.1/s until the lag of 2 s asks for less, which is at 0.8,
+    /// and the rest as e^(−t/2 s). Tolerance: a step at 0.1/s, and half a step of 2 s in the exponential.
+    #[test]
+    fn analytic_the_cylinder_fills_at_its_rate_and_then_with_its_lag() {
+        assert_eq!(cylinder(0.0, 1.0, 0.498), 0.0);
+        assert!((cylinder(0.0, 1.0, 4.5) - 0.4).abs() < 2e-4);
+        let expected = 1.0 - 0.2 * (-1.0_f64).exp();
+        assert!((cylinder(0.0, 1.0, 0.5 + 8.0 + 2.0) - expected).abs() < 3e-4);
+    }
+
+    /// Released at 0.05/s; a command in between is followed by degrees.
+    #[test]
+    fn analytic_the_cylinder_empties_by_degrees() {
+        assert!((cylinder(1.0, 0.0, 10.5) - 0.5).abs() < 2e-4);
+        assert!((cylinder(1.0, 0.6, 60.0) - 0.6).abs() < 1e-9);
+    }
+}

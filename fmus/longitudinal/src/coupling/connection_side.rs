@@ -44,8 +44,9 @@ struct Piece {
     loading_slope: f64,
     unloading: f64,
     unloading_slope: f64,
-    /// Deflections that friction holds, m, when the unloading curve is left without force at the
-    /// beginning of the piece and at its end.
+    /// Deflections that friction holds at the beginning and at the end of the piece, m.
+    ///
+    /// They are what is left of the deflection of the unloading curve when its force is taken away.
     held: f64,
     held_end: f64,
     /// Energy that is stored then, J.

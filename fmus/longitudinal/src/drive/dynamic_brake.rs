@@ -35,3 +35,27 @@ impl DynamicBrake {
         -(share * effort).copysign(velocity)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use numerics::Interpolation;
+
+    /// A brake that fades below 2 m/s: half of it at 1 m/s, nothing at a standstill, and always against
+    /// the motion.
+    #[test]
+    fn analytic_a_share_of_the_full_effort_acts_against_the_motion() {
+        let effort =
+            Piecewise::new(vec![0.0, 2.0, 10.0], &[0.0, 300e3, 300e3], Interpolation::Linear);
+        let brake = DynamicBrake { effort: effort.unwrap(), ramp: 10.0 };
+        for (share, velocity, expected) in [
+            (1.0, 5.0, -300e3),
+            (0.5, 5.0, -150e3),
+            (1.0, 1.0, -150e3),
+            (1.0, -5.0, 300e3),
+            (1.0, 0.0, 0.0),
+        ] {
+            assert_eq!(brake.force(share, velocity), expected, "{share} at {velocity} m/s");
+        }
+    }
+}

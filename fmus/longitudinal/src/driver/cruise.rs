@@ -21,8 +21,8 @@
 //! preview_s = 10.0
 //! ```
 
+use files::{Check, Mistake};
 use serde::Deserialize;
-use stock::{Check, StockError};
 
 use super::levers::Levers;
 use super::state::DriverState;
@@ -67,7 +67,7 @@ pub(super) struct SpeedFile {
 }
 
 impl SpeedFile {
-    pub(super) fn compile(&self, check: &Check) -> Result<LinearTable, StockError> {
+    pub(super) fn compile(&self, check: &Check) -> Result<LinearTable, Mistake> {
         for (i, &speed) in self.kmh.iter().enumerate() {
             check.between(&format!("kmh[{}]", i + 1), speed, 0.0, 500.0)?;
         }
@@ -84,7 +84,7 @@ impl SpeedFile {
 }
 
 impl Gains {
-    pub(super) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(super) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("proportional_per_s", self.proportional_per_s, 0.0, 10.0)?;
         check.between("integral_per_s2", self.integral_per_s2, 0.0, 1.0)?;
         check.between("derivative", self.derivative, 0.0, 10.0)?;

@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use files::Document;
+use files::{Check, Document, Mistake};
 use serde::Deserialize;
-use stock::{Check, StockError};
 
 use super::cruise::{Cruise, Gains, SpeedFile};
 use super::fuzzy::{Fuzzy, FuzzyFile};
@@ -43,7 +42,7 @@ impl Driver {
     ///
     /// # Errors
     /// When the file cannot be read or a value in it is not possible.
-    pub fn from_file(file: &Path) -> Result<Self, StockError> {
+    pub fn from_file(file: &Path) -> Result<Self, Mistake> {
         let document = Document::read(file)?;
         let content: DriverFile = document.parse()?;
         let check = document.check();
@@ -64,7 +63,7 @@ impl Driver {
 }
 
 impl DriverFile {
-    fn kind(&self, check: &Check, folder: &Path) -> Result<Kind, StockError> {
+    fn kind(&self, check: &Check, folder: &Path) -> Result<Kind, Mistake> {
         let sections = [
             ("command", !self.command.is_empty()),
             ("cruise", self.cruise.is_some()),

@@ -26,10 +26,10 @@
 //! rate_per_s = 0.1             # greatest change of the lever
 //! ```
 
+use files::{Check, Mistake};
 use numerics::LinearTable;
 use numerics::constants::KILOMETRES_PER_HOUR;
 use serde::Deserialize;
-use stock::{Check, StockError};
 
 use super::cruise::speed_and_slope;
 use super::levers::{Levers, Wanted};
@@ -67,7 +67,7 @@ impl Default for FuzzyFile {
 }
 
 impl FuzzyFile {
-    pub(super) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(super) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("preview_s", self.preview_s, 0.0, 600.0)?;
         check.between("error_kmh", self.error_kmh, 0.1, 100.0)?;
         check.between("acceleration_m_per_s2", self.acceleration_m_per_s2, 0.001, 10.0)?;

@@ -3,8 +3,8 @@
 //! Traction comes first, then the dynamic brake, then the train brake for what the dynamic brake
 //! cannot give (blending). Only one of traction and dynamic brake is applied at a time.
 
+use files::{Check, Mistake};
 use serde::{Deserialize, Serialize};
-use stock::{Check, StockError};
 
 use super::view::View;
 use crate::command::{Command, HIGHEST_NOTCH};
@@ -68,7 +68,7 @@ pub(super) struct Wanted {
 }
 
 impl Levers {
-    pub(super) fn check(&self, check: &Check) -> Result<(), StockError> {
+    pub(super) fn check(&self, check: &Check) -> Result<(), Mistake> {
         check.between("notch_interval_s", self.notch_interval_s, 0.01, 60.0)?;
         check.between("dynamic_brake_s", self.dynamic_brake_s, 0.1, 600.0)?;
         check.between("train_brake_s", self.train_brake_s, 0.1, 600.0)?;

@@ -7,9 +7,9 @@
 //! value = [0.5, 0.5, 0.75]     # linear between the points, constant outside
 //! ```
 
+use files::{Check, Mistake};
 use numerics::LinearTable;
 use serde::Deserialize;
-use stock::{Check, StockError};
 
 use super::view::View;
 use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
@@ -42,7 +42,7 @@ pub(super) struct ProfileFile {
 }
 
 impl ProfileFile {
-    pub(super) fn compile(&self, check: &Check) -> Result<Profile, StockError> {
+    pub(super) fn compile(&self, check: &Check) -> Result<Profile, Mistake> {
         let (key, x) = match (&self.time_s, &self.chainage_m) {
             (Some(times), None) => ("time_s", times),
             (None, Some(chainages)) => ("chainage_m", chainages),

@@ -9,8 +9,8 @@
 //! notch = 4.0
 //! ```
 
+use files::{Check, Mistake};
 use serde::{Deserialize, Serialize};
-use stock::{Check, StockError};
 
 use super::schedule::{Entry, Schedule};
 use super::view::View;
@@ -46,7 +46,7 @@ pub struct RadioState {
 }
 
 impl RemoteFile {
-    pub(super) fn compile(&self, check: &Check) -> Result<Remote, StockError> {
+    pub(super) fn compile(&self, check: &Check) -> Result<Remote, Mistake> {
         check.between("delay_s", self.delay_s, 0.0, 60.0)?;
         if self.group == 0 {
             let wanted = "group 0 is the leading one; remote groups count from 1";

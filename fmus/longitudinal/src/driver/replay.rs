@@ -17,11 +17,10 @@
 
 use std::path::Path;
 
-use files::{Document, Table, did_you_mean};
+use files::{Check, Document, Mistake, Table, did_you_mean};
 use numerics::LinearTable;
 use numerics::constants::{KILOMETRES_PER_HOUR, MILES_PER_HOUR};
 use serde::Deserialize;
-use stock::{Check, StockError};
 
 use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
 
@@ -107,7 +106,7 @@ fn highest_notch() -> f64 {
 }
 
 impl ReplayFile {
-    pub(super) fn compile(&self, check: &Check, folder: &Path) -> Result<Replay, StockError> {
+    pub(super) fn compile(&self, check: &Check, folder: &Path) -> Result<Replay, Mistake> {
         let document = Document::read(&folder.join(&self.file))?;
         let log = Table::new(&document)?;
         let column = |key: &str, name: &str| match log.column(name) {
@@ -174,7 +173,7 @@ impl ReplayFile {
     }
 
     /// The times must rise, without gaps.
-    fn check_times(&self, times: &[f64], log: &Table, column: usize) -> Result<(), StockError> {
+    fn check_times(&self, times: &[f64], log: &Table, column: usize) -> Result<(), Mistake> {
         for i in 1..times.len() {
             let gap = times[i] - times[i - 1];
             if gap <= 0.0 {

@@ -14,8 +14,8 @@
 //! The commands hold one after the other: each waits for its own time or chainage, and then
 //! for nothing else. What a command does not name is zero.
 
+use files::{Check, Mistake};
 use serde::Deserialize;
-use stock::{Check, StockError};
 
 use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
 
@@ -56,7 +56,7 @@ impl Schedule {
         Self { entries: vec![(Begin::Time(f64::NEG_INFINITY), command)] }
     }
 
-    pub(super) fn compile(entries: &[Entry], check: &Check) -> Result<Self, StockError> {
+    pub(super) fn compile(entries: &[Entry], check: &Check) -> Result<Self, Mistake> {
         let mut compiled: Vec<(Begin, Command)> = Vec::with_capacity(entries.len());
         for (i, entry) in entries.iter().enumerate() {
             let check = check.section(&format!("command[{}]", i + 1));
@@ -104,7 +104,7 @@ impl Begin {
 }
 
 impl Entry {
-    fn compile(&self, check: &Check) -> Result<(Begin, Command), StockError> {
+    fn compile(&self, check: &Check) -> Result<(Begin, Command), Mistake> {
         let begin = match (self.from_s, self.from_m) {
             (Some(time), None) if time.is_finite() => Begin::Time(time),
             (None, Some(chainage)) if chainage.is_finite() => Begin::Chainage(chainage),
@@ -159,7 +159,7 @@ mod tests {
         command: Vec<Entry>,
     }
 
-    fn schedule(text: &str) -> Result<Schedule, StockError> {
+    fn schedule(text: &str) -> Result<Schedule, Mistake> {
         let document = files::Document::new("driver.toml", text);
         let file: File = document.parse()?;
         Schedule::compile(&file.command, &document.check())

@@ -42,3 +42,18 @@ impl DriverState {
         self.squares.1 += time;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 3 m/s for 4 s and 1 m/s for 12 s: √((9·4 + 1·12)/16) m/s.
+    #[test]
+    fn analytic_root_mean_square_of_the_difference() {
+        let mut state = DriverState::default();
+        assert_eq!(state.speed_rms(), 0.0);
+        state.add_difference(3.0, 4.0);
+        state.add_difference(-1.0, 12.0);
+        assert!((state.speed_rms() - 3.0_f64.sqrt()).abs() < 1e-15);
+    }
+}

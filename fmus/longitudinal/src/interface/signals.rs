@@ -5,104 +5,22 @@
 
 use std::path::Path;
 
-use fmu::{Declaration, Integer, ModelError, Real, Text, unit};
+use fmu::{Declaration, Handles, ModelError};
 use stock::Consist;
 
-use crate::command::{EMERGENCY, HIGHEST_NOTCH};
+use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
+use crate::line::wind::Wind;
 
-/// Value of a driver input that leaves the schedule in force.
+/// Value of a driver input that leaves the driver file in force.
 pub(crate) const SCHEDULE: f64 = -1.0;
 
 /// Handles of the FMU's variables.
 #[derive(Debug)]
 pub struct Signals {
-    pub(crate) consist_file: Text,
-    pub(crate) track_file: Text,
-    pub(crate) driver_file: Text,
-    pub(crate) couplers: Integer,
-    /// Parameter `initial.position`.
-    pub position: Real,
-    /// Parameter `initial.velocity`.
-    pub velocity: Real,
-    /// Inputs that override the schedule, and outputs of what is in force.
-    pub(crate) driver: [DriverSignals; 2],
-    pub(crate) control: ControlSignals,
-    pub(crate) wind_speed: Real,
-    pub(crate) wind_direction: Real,
-    pub(crate) train: TrainSignals,
-    pub(crate) energy: EnergySignals,
+    /// Variables that do not depend on the number of vehicles.
+    pub train: Handles<TrainSignals>,
     /// Each vehicle's outputs, from the head of the train.
-    pub vehicles: Vec<VehicleSignals>,
-}
-
-#[derive(Debug)]
-pub(crate) struct DriverSignals {
-    pub(crate) notch: Real,
-    pub(crate) dynamic_brake: Real,
-    pub(crate) train_brake: Real,
-    pub(crate) locomotive_brake: Real,
-}
-
-#[derive(Debug)]
-pub(crate) struct ControlSignals {
-    pub(crate) target_speed: Real,
-    pub(crate) measured_speed: Real,
-    pub(crate) speed_rms: Real,
-}
-
-#[derive(Debug)]
-pub(crate) struct TrainSignals {
-    pub(crate) mass: Real,
-    pub(crate) length: Real,
-    pub(crate) velocity: Real,
-    pub(crate) traction: Real,
-    pub(crate) brake: Real,
-    pub(crate) resistance: Real,
-    pub(crate) curve_resistance: Real,
-    pub(crate) gravity: Real,
-    pub(crate) greatest_tension: Real,
-    pub(crate) greatest_buff: Real,
-}
-
-#[derive(Debug)]
-pub(crate) struct EnergySignals {
-    pub(crate) traction: Real,
-    pub(crate) dynamic_brake: Real,
-    pub(crate) brake: Real,
-    pub(crate) resistance: Real,
-    pub(crate) curve_resistance: Real,
-    pub(crate) gears: Real,
-    pub(crate) kinetic: Real,
-    pub(crate) potential: Real,
-    pub(crate) stored: Real,
-    pub(crate) residual: Real,
-}
-
-/// Handles of one vehicle's outputs.
-#[derive(Debug)]
-pub struct VehicleSignals {
-    /// Chainage of its middle.
-    pub position: Real,
-    /// Velocity.
-    pub velocity: Real,
-    /// Acceleration.
-    pub acceleration: Real,
-    /// Force of the front coupler, tension positive.
-    pub coupler_front: Real,
-    /// Force of the rear coupler, tension positive.
-    pub coupler_rear: Real,
-    /// Propulsion resistance in the running direction.
-    pub resistance: Real,
-    /// Curve resistance in the running direction.
-    pub curve_resistance: Real,
-    /// Force of the drive.
-    pub traction: Real,
-    /// Friction force of the brake shoes.
-    pub brake: Real,
-    /// Heat of the friction brake into each wheel.
-    pub wheel_brake_power: Real,
-    /// Heat of the draft gears at the front and at the rear since the start.
-    pub gear_heat: [Real; 2],
+    pub vehicles: Vec<Handles<VehicleSignals>>,
 }
 
 /// Declares the variables for the consist in the resources.
@@ -115,175 +33,281 @@ pub(crate) fn declare(
 ) -> Result<Signals, ModelError> {
     let consist =
         Consist::from_file(&resources.join("consist.toml")).map_err(ModelError::from_error)?;
-    let mut file = |name: &str, what: &str| {
-        let description = format!("{what}; empty: {}.toml in the resources", what.to_lowercase());
-        declaration.text_parameter(name, description, "")
-    };
-    Ok(Signals {
-        consist_file: file("consist_file", "Consist"),
-        track_file: file("track_file", "Track"),
-        driver_file: file("driver_file", "Driver"),
-        couplers: declaration.integer_parameter(
-            "initial.couplers",
-            "Couplers at the start: 0 unstressed, 1 in balance",
-            1,
-            (0, 1),
-        ),
-        position: declaration
-            .real("initial.position", unit::METRE, "Chainage of the leading vehicle's middle")
-            .parameter(0.0),
-        velocity: declaration
-            .real("initial.velocity", unit::METRE_PER_SECOND, "Velocity of the train")
-            .parameter(0.0),
-        driver: [declare_overrides(declaration), declare_in_force(declaration)],
-        control: declare_control(declaration),
-        wind_speed: declaration
-            .real("wind.speed", unit::METRE_PER_SECOND, "Speed of the wind")
-            .min(0.0)
-            .input(0.0),
-        wind_direction: declaration
-            .real(
-                "wind.direction",
-                unit::RADIAN,
-                "Angle the wind comes from, to the right of the heading at the track's beginning; \
-                 0 is a head wind there",
-            )
-            .input(0.0),
-        train: declare_train(declaration),
-        energy: declare_energy(declaration),
-        vehicles: (1..=consist.types.len())
-            .map(|number| declare_vehicle(declaration, number))
-            .collect(),
-    })
+    let train = TrainSignals::declare(declaration, "");
+    let vehicles = (1..=consist.types.len()).map(|number| {
+        for end in ["front", "rear"] {
+            let name = format!("vehicle[{number}].coupler.{end}");
+            let description = format!("The {end} coupler of vehicle {number}");
+            declaration.terminal(name, "coupler", description);
+        }
+        VehicleSignals::declare(declaration, format!("vehicle[{number}]"))
+    });
+    Ok(Signals { train, vehicles: vehicles.collect() })
 }
 
-fn declare_overrides(declaration: &mut Declaration) -> DriverSignals {
-    let mut input = |name: &str, greatest: f64, what: &str| {
-        let description = format!("{what}; {SCHEDULE} follows the driver file");
-        declaration
-            .real(format!("driver.{name}"), unit::ONE, description)
-            .min(SCHEDULE)
-            .max(greatest)
-            .input(SCHEDULE)
-    };
-    DriverSignals {
-        notch: input("notch", HIGHEST_NOTCH, "Notch, 0 to 8"),
-        dynamic_brake: input("dynamic_brake", 1.0, "Dynamic brake, share of full effort"),
-        train_brake: input("train_brake", EMERGENCY, "Train brake, 1 full service, 1.2 emergency"),
-        locomotive_brake: input("locomotive_brake", 1.0, "Locomotive brake, 1 full"),
+fmu::variables! {
+    /// Variables that do not depend on the number of vehicles.
+    pub struct TrainSignals {
+        /// Files of the run.
+        files: "", group(Files);
+        /// How the run begins.
+        initial: "initial", group(Initial);
+        /// Commands and speed of the driver.
+        driver: "driver", group(DriverSignals);
+        /// Wind over the line.
+        wind: "wind", group(WindInputs);
+        /// Mass and length of the train.
+        size: "train", group(TrainSize);
+        /// Sums and extremes over the train.
+        totals: "train", group(TrainOutputs);
+        /// Energy audit since the start.
+        energy: "energy", group(EnergyOutputs);
+    }
+
+    /// Files of the run.
+    pub struct Files: parameter {
+        /// Consist; empty: consist.toml in the resources
+        consist: "consist_file", file("consist.toml");
+        /// Track; empty: track.toml in the resources
+        track: "track_file", file("track.toml");
+        /// Driver; empty: driver.toml in the resources
+        driver: "driver_file", file("driver.toml");
+    }
+
+    /// How the run begins.
+    #[derive(Copy)]
+    pub struct Initial: parameter {
+        /// Couplers at the start: 0 unstressed, 1 in balance
+        couplers: "couplers", i32 = 1, 0..=1;
+        /// Chainage of the leading vehicle's middle
+        position: "position", METRE = 0.0;
+        /// Velocity of the train
+        velocity: "velocity", METRE_PER_SECOND = 0.0;
+    }
+
+    /// Commands and speed of the driver.
+    #[derive(Copy)]
+    pub struct DriverSignals {
+        /// Inputs that override the driver file.
+        overrides: "", group(Overrides);
+        /// Commands in force.
+        in_force: "in_force", group(InForce);
+        /// Speeds that the driver keeps to or compares.
+        speed: "", group(DriverSpeeds);
+    }
+
+    /// Inputs that override the driver file.
+    #[derive(Copy)]
+    pub struct Overrides: input {
+        /// Notch, 0 to 8; -1 follows the driver file
+        notch: "notch", ONE = SCHEDULE, SCHEDULE..=HIGHEST_NOTCH;
+        /// Dynamic brake, share of full effort; -1 follows the driver file
+        dynamic_brake: "dynamic_brake", ONE = SCHEDULE, SCHEDULE..=1.0;
+        /// Train brake, 1 full service, 1.2 emergency; -1 follows the driver file
+        train_brake: "train_brake", ONE = SCHEDULE, SCHEDULE..=EMERGENCY;
+        /// Locomotive brake, 1 full; -1 follows the driver file
+        locomotive_brake: "locomotive_brake", ONE = SCHEDULE, SCHEDULE..=1.0;
+    }
+
+    /// Commands in force.
+    #[derive(Copy)]
+    pub struct InForce: output {
+        /// Notch in force
+        notch: "notch", ONE;
+        /// Dynamic brake in force
+        dynamic_brake: "dynamic_brake", ONE;
+        /// Train brake in force
+        train_brake: "train_brake", ONE;
+        /// Locomotive brake in force
+        locomotive_brake: "locomotive_brake", ONE;
+    }
+
+    /// Speeds that the driver keeps to or compares.
+    #[derive(Copy)]
+    pub struct DriverSpeeds: output {
+        /// Speed the driver keeps to; 0 without one
+        target: "target_speed", METRE_PER_SECOND;
+        /// Speed in the logger's file; 0 without one
+        measured: "measured_speed", METRE_PER_SECOND;
+        /// Root mean square of the difference from the measured speed since the start
+        rms_difference: "speed_rms", METRE_PER_SECOND;
+    }
+
+    /// Wind over the line.
+    #[derive(Copy)]
+    pub struct WindInputs: input {
+        /// Speed of the wind
+        speed: "speed", METRE_PER_SECOND = 0.0, 0.0..;
+        /// Angle the wind comes from, to the right of the heading at the track's beginning;
+        /// 0 is a head wind there
+        direction: "direction", RADIAN = 0.0;
+    }
+
+    /// Mass and length of the train, which do not change.
+    #[derive(Copy)]
+    pub struct TrainSize: output {
+        /// Mass of the train
+        mass: "mass", KILOGRAM;
+        /// Length over the outer couplers, without slack
+        length: "length", METRE;
+    }
+
+    /// Sums and extremes over the train.
+    #[derive(Copy)]
+    pub struct TrainOutputs: output {
+        /// Velocity of the centre of mass
+        velocity: "velocity", METRE_PER_SECOND;
+        /// All drives, dynamic brake negative
+        traction: "traction.force", NEWTON;
+        /// All friction brakes, not negative
+        brake: "brake.force", NEWTON;
+        /// All propulsion resistance
+        resistance: "resistance.force", NEWTON;
+        /// All curve resistance
+        curve_resistance: "curve_resistance.force", NEWTON;
+        /// All gradients, positive downhill
+        gravity: "gravity.force", NEWTON;
+        /// Greatest tension in a coupler
+        greatest_tension: "coupler.tension", NEWTON;
+        /// Greatest buff force in a coupler
+        greatest_buff: "coupler.buff", NEWTON;
+    }
+
+    /// Energy audit since the start.
+    #[derive(Copy)]
+    pub struct EnergyOutputs: output {
+        /// Work of traction since the start
+        traction: "traction", JOULE;
+        /// Work against the dynamic brakes
+        dynamic_brake: "dynamic_brake", JOULE;
+        /// Work against the friction brakes
+        brake: "brake", JOULE;
+        /// Work against the propulsion resistance
+        resistance: "resistance", JOULE;
+        /// Work against the curve resistance
+        curve_resistance: "curve_resistance", JOULE;
+        /// Energy that the draft gears have turned into heat
+        draft_gears: "draft_gears", JOULE;
+        /// Kinetic energy
+        kinetic: "kinetic", JOULE;
+        /// Potential energy, from the zero of the elevation
+        potential: "potential", JOULE;
+        /// Energy in the springs of the draft gears
+        stored: "stored", JOULE;
+        /// Error of the energy balance since the start
+        residual: "residual", JOULE;
+    }
+
+    /// Outputs of one vehicle.
+    #[derive(Copy)]
+    pub struct VehicleSignals {
+        /// Motion and forces of the vehicle.
+        motion_and_forces: "", group(VehicleOutputs);
+        /// Its draft gears.
+        gears: ["draft_gear.front", "draft_gear.rear"], group(GearOutputs) = ["front gear", "rear gear"];
+    }
+
+    /// Motion and forces of one vehicle.
+    #[derive(Copy)]
+    pub struct VehicleOutputs: output {
+        /// Chainage of the vehicle's middle
+        position: "position", METRE;
+        /// Velocity
+        velocity: "velocity", METRE_PER_SECOND;
+        /// Acceleration
+        acceleration: "acceleration", METRE_PER_SECOND_SQUARED;
+        /// Front coupler, tension positive
+        coupler_front: "coupler.front.force", NEWTON;
+        /// Rear coupler, tension positive
+        coupler_rear: "coupler.rear.force", NEWTON;
+        /// Propulsion resistance without that of curves; negative when moving forward
+        resistance: "resistance.force", NEWTON;
+        /// Curve resistance; negative when moving forward
+        curve_resistance: "curve_resistance.force", NEWTON;
+        /// Drive at the wheel rims; dynamic brake negative
+        traction: "traction.force", NEWTON;
+        /// Friction of the brake shoes, not negative
+        brake: "brake.force", NEWTON;
+        /// Heat of the friction brake into each wheel
+        wheel_brake_power: "wheel.brake_power", WATT;
+    }
+
+    /// What one draft gear does.
+    #[derive(Copy)]
+    pub struct GearOutputs: output {
+        /// Heat of the {} since the start
+        heat: "energy", JOULE;
     }
 }
 
-fn declare_in_force(declaration: &mut Declaration) -> DriverSignals {
-    let mut output = |name: &str, what: &str| {
-        let name = format!("driver.in_force.{name}");
-        declaration.real(name, unit::ONE, what).output()
-    };
-    DriverSignals {
-        notch: output("notch", "Notch in force"),
-        dynamic_brake: output("dynamic_brake", "Dynamic brake in force"),
-        train_brake: output("train_brake", "Train brake in force"),
-        locomotive_brake: output("locomotive_brake", "Locomotive brake in force"),
+impl From<WindInputs> for Wind {
+    fn from(WindInputs { speed, direction }: WindInputs) -> Self {
+        Self { speed, direction }
     }
 }
 
-fn declare_control(declaration: &mut Declaration) -> ControlSignals {
-    let mut output = |name: &str, what: &str| {
-        let name = format!("driver.{name}");
-        declaration.real(name, unit::METRE_PER_SECOND, what).output()
-    };
-    ControlSignals {
-        target_speed: output("target_speed", "Speed the driver keeps to; 0 without one"),
-        measured_speed: output("measured_speed", "Speed in the logger's file; 0 without one"),
-        speed_rms: output(
-            "speed_rms",
-            "Root mean square of the difference from the measured speed since the start",
-        ),
+impl From<Command> for InForce {
+    fn from(command: Command) -> Self {
+        let Command { notch, dynamic_brake, train_brake, locomotive_brake } = command;
+        Self { notch, dynamic_brake, train_brake, locomotive_brake }
     }
 }
 
-fn declare_train(declaration: &mut Declaration) -> TrainSignals {
-    let mut output = |name: &str, unit, what: &str| {
-        declaration.real(format!("train.{name}"), unit, what).output()
-    };
-    TrainSignals {
-        mass: output("mass", unit::KILOGRAM, "Mass of the train"),
-        length: output("length", unit::METRE, "Length over the outer couplers, without slack"),
-        velocity: output("velocity", unit::METRE_PER_SECOND, "Velocity of the centre of mass"),
-        traction: output("traction.force", unit::NEWTON, "All drives, dynamic brake negative"),
-        brake: output("brake.force", unit::NEWTON, "All friction brakes, not negative"),
-        resistance: output("resistance.force", unit::NEWTON, "All propulsion resistance"),
-        curve_resistance: output("curve_resistance.force", unit::NEWTON, "All curve resistance"),
-        gravity: output("gravity.force", unit::NEWTON, "All gradients, positive downhill"),
-        greatest_tension: output("coupler.tension", unit::NEWTON, "Greatest tension in a coupler"),
-        greatest_buff: output("coupler.buff", unit::NEWTON, "Greatest buff force in a coupler"),
+impl Overrides {
+    /// Replaces what the driver asks for by the inputs that are set.
+    ///
+    /// # Errors
+    /// When an input lies between [`SCHEDULE`] and 0, the one gap that a bound cannot exclude.
+    pub(crate) fn apply(&self, command: &mut Command) -> Result<(), ModelError> {
+        let inputs = [
+            ("notch", self.notch, HIGHEST_NOTCH, &mut command.notch),
+            ("dynamic_brake", self.dynamic_brake, 1.0, &mut command.dynamic_brake),
+            ("train_brake", self.train_brake, EMERGENCY, &mut command.train_brake),
+            ("locomotive_brake", self.locomotive_brake, 1.0, &mut command.locomotive_brake),
+        ];
+        for (name, value, greatest, asked) in inputs {
+            if value >= 0.0 {
+                *asked = value;
+            } else if value != SCHEDULE {
+                return Err(ModelError::new(format!(
+                    "driver.{name} = {value}: must lie between 0 and {greatest}, \
+                     or be {SCHEDULE} to follow the driver file"
+                )));
+            }
+        }
+        Ok(())
     }
 }
 
-fn declare_energy(declaration: &mut Declaration) -> EnergySignals {
-    let mut output = |name: &str, what: &str| {
-        declaration.real(format!("energy.{name}"), unit::JOULE, what).output()
-    };
-    EnergySignals {
-        traction: output("traction", "Work of traction since the start"),
-        dynamic_brake: output("dynamic_brake", "Work against the dynamic brakes"),
-        brake: output("brake", "Work against the friction brakes"),
-        resistance: output("resistance", "Work against the propulsion resistance"),
-        curve_resistance: output("curve_resistance", "Work against the curve resistance"),
-        gears: output("draft_gears", "Energy that the draft gears have turned into heat"),
-        kinetic: output("kinetic", "Kinetic energy"),
-        potential: output("potential", "Potential energy, from the zero of the elevation"),
-        stored: output("stored", "Energy in the springs of the draft gears"),
-        residual: output("residual", "Error of the energy balance since the start"),
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn declare_vehicle(declaration: &mut Declaration, number: usize) -> VehicleSignals {
-    for end in ["front", "rear"] {
-        let description = format!("The {end} coupler of vehicle {number}");
-        declaration.terminal(format!("vehicle[{number}].coupler.{end}"), "coupler", description);
-    }
-    let mut output = |name: &str, unit, what: &str| {
-        declaration.real(format!("vehicle[{number}].{name}"), unit, what).output()
+    const UNSET: Overrides = Overrides {
+        notch: SCHEDULE,
+        dynamic_brake: SCHEDULE,
+        train_brake: SCHEDULE,
+        locomotive_brake: SCHEDULE,
     };
-    VehicleSignals {
-        position: output("position", unit::METRE, "Chainage of the vehicle's middle"),
-        velocity: output("velocity", unit::METRE_PER_SECOND, "Velocity"),
-        acceleration: output("acceleration", unit::METRE_PER_SECOND_SQUARED, "Acceleration"),
-        coupler_front: output(
-            "coupler.front.force",
-            unit::NEWTON,
-            "Front coupler, tension positive",
-        ),
-        coupler_rear: output("coupler.rear.force", unit::NEWTON, "Rear coupler, tension positive"),
-        resistance: output(
-            "resistance.force",
-            unit::NEWTON,
-            "Propulsion resistance without that of curves; negative when moving forward",
-        ),
-        curve_resistance: output(
-            "curve_resistance.force",
-            unit::NEWTON,
-            "Curve resistance; negative when moving forward",
-        ),
-        traction: output(
-            "traction.force",
-            unit::NEWTON,
-            "Drive at the wheel rims; dynamic brake negative",
-        ),
-        brake: output("brake.force", unit::NEWTON, "Friction of the brake shoes, not negative"),
-        wheel_brake_power: output(
-            "wheel.brake_power",
-            unit::WATT,
-            "Heat of the friction brake into each wheel",
-        ),
-        gear_heat: [
-            output(
-                "draft_gear.front.energy",
-                unit::JOULE,
-                "Heat of the front gear since the start",
-            ),
-            output("draft_gear.rear.energy", unit::JOULE, "Heat of the rear gear since the start"),
-        ],
+
+    #[test]
+    fn inputs_that_are_set_replace_what_the_driver_asks_for() {
+        let asked = Command { notch: 8.0, train_brake: 0.3, ..Command::default() };
+        let mut command = asked;
+        UNSET.apply(&mut command).unwrap();
+        assert_eq!(command, asked);
+        let overrides = Overrides { notch: 0.0, locomotive_brake: 1.0, ..UNSET };
+        overrides.apply(&mut command).unwrap();
+        assert_eq!(command, Command { notch: 0.0, locomotive_brake: 1.0, ..asked });
+    }
+
+    #[test]
+    fn an_input_in_the_gap_below_zero_is_refused_with_its_bounds() {
+        let overrides = Overrides { train_brake: -0.5, ..UNSET };
+        let message = overrides.apply(&mut Command::default()).unwrap_err().to_string();
+        assert!(
+            message.contains("driver.train_brake = -0.5: must lie between 0 and 1.2, or be -1"),
+            "{message}"
+        );
     }
 }

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use files::Mistake;
 use numerics::TableError;
-use stock::StockError;
 
 use crate::coupling::connection::GearPair;
 use crate::coupling::draft_gear::DraftGear;
@@ -14,7 +14,7 @@ use crate::train::vehicle::Vehicle;
 pub enum BuildError {
     /// A rolling-stock file cannot be used.
     #[error(transparent)]
-    Stock(#[from] StockError),
+    Stock(#[from] Mistake),
     /// A table of a vehicle type cannot be used.
     #[error("vehicle {vehicle}: {source}")]
     Table {

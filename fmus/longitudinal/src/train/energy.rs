@@ -59,3 +59,44 @@ pub struct Energy {
     /// In the springs of the draft gears.
     pub stored: f64,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use crate::train::vehicle_state::Forces;
+
+    /// 100 kN of drive and 16 kN against the motion at 20 m/s for 3 s, forwards and backwards.
+    /// Backwards a forward drive takes energy, as a dynamic brake does.
+    #[test]
+    fn analytic_work_is_power_times_time() {
+        let forces = Forces {
+            traction: 100e3,
+            resistance: 5e3,
+            curve_resistance: 4e3,
+            brake: 6e3,
+            wind: -1e3,
+            ..Forces::default()
+        };
+        let work = |velocity: f64| {
+            let (mut power, mut work) = (Work::default(), Work::default());
+            power.add_power(&VehicleState { velocity, forces, ..VehicleState::default() });
+            work.add(&power, 3.0);
+            work
+        };
+        let forward = work(20.0);
+        let expected = Work {
+            traction: 6e6,
+            dynamic_brake: 0.0,
+            brake: 360e3,
+            // The head wind adds its 1 kN.
+            resistance: 360e3,
+            curve_resistance: 240e3,
+        };
+        assert_eq!(forward, expected);
+        assert_eq!(forward.net(), 6e6 - 960e3);
+        let backward = work(-20.0);
+        assert_eq!((backward.traction, backward.dynamic_brake), (0.0, 6e6));
+        assert_eq!((backward.brake, backward.resistance), (360e3, 240e3));
+    }
+}

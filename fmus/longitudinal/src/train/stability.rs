@@ -55,3 +55,19 @@ impl TrainDynamics {
 fn longest_step(frequency: f64, damping: f64) -> f64 {
     4.0 / (damping + (damping * damping + 4.0 * frequency).sqrt())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Without damping the limit is 2/ω, without stiffness 2/λ.
+    /// A step at the limit of both meets ω² h² + 2 λ h = 4.
+    #[test]
+    fn analytic_longest_steps() {
+        assert!((longest_step(77.0 * 77.0, 0.0) - 2.0 / 77.0).abs() < 1e-16);
+        assert!((longest_step(0.0, 300.0) - 2.0 / 300.0).abs() < 1e-17);
+        assert_eq!(longest_step(0.0, 0.0), f64::INFINITY);
+        let step = longest_step(5000.0, 40.0);
+        assert!((5000.0 * step * step + 2.0 * 40.0 * step - 4.0).abs() < 1e-14, "{step}");
+    }
+}

@@ -84,3 +84,44 @@ impl VehicleState {
         };
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MOVING: Forces = Forces {
+        coupler_front: 50e3,
+        coupler_rear: 20e3,
+        traction: 100e3,
+        gravity: -30e3,
+        wind: -1e3,
+        resistance: 5e3,
+        curve_resistance: 2e3,
+        brake: 40e3,
+    };
+
+    #[test]
+    fn analytic_resisting_forces_act_against_the_motion() {
+        assert_eq!((MOVING.driving(), MOVING.resisting()), (99e3, 47e3));
+        assert_eq!([3.0, -3.0].map(|velocity| MOVING.friction_share(velocity)), [-1.0, 1.0]);
+        // At standstill they cannot hold 99 kN.
+        assert_eq!(MOVING.friction_share(0.0), -1.0);
+        let held = Forces { traction: 10e3, ..MOVING };
+        assert!((held.friction_share(0.0) + 9e3 / 47e3).abs() < 1e-15);
+        assert_eq!(Forces::default().friction_share(0.0), 0.0);
+    }
+
+    /// 47 kN stop 100 t from 1 mm/s within 2.1 ms: a longer kick ends at exactly zero.
+    #[test]
+    fn analytic_a_braked_vehicle_comes_to_exactly_zero() {
+        let forces = Forces { brake: 47e3, ..Forces::default() };
+        for velocity in [1e-3, -1e-3] {
+            let mut vehicle = VehicleState { velocity, forces, ..VehicleState::default() };
+            vehicle.kick(1e-5, 1e-3);
+            assert!((vehicle.velocity.abs() - 0.53e-3).abs() < 1e-15);
+            assert_eq!(vehicle.velocity.signum(), velocity.signum());
+            vehicle.kick(1e-5, 2e-3);
+            assert_eq!(vehicle.velocity, 0.0);
+        }
+    }
+}

@@ -42,8 +42,8 @@ fn first_changes(train: &mut TrainDynamics, state: &mut TrainState, command: &Co
     times
 }
 
-/// The wave comes to a vehicle after its distance from the locomotive over its speed, for service
-/// (250 m/s), emergency (280) and release (200).
+/// The wave arrives at a vehicle after its distance from the locomotive over the wave's speed.
+/// That is 250 m/s for service, 280 for emergency and 200 for release.
 #[test]
 fn analytic_air_brake_wave_runs_along_the_train() {
     for (from, to, wave) in [(0.0, 0.5, 250.0), (0.0, 1.2, 280.0), (0.8, 0.3, 200.0)] {
@@ -150,8 +150,9 @@ fn analytic_hand_brakes_hold_a_train_that_nothing_else_holds() {
 
 const RESERVOIR: &str = "[brake.air.reservoir]\nrecharge_s = 50\nrecharge_s_per_km = 100\n";
 
-/// Cylinder fractions of the first and the last of 51 vehicles, a kilometre behind it, after each of
-/// the commands: train brake, and for how long, s.
+/// Cylinder fractions of the first and the last of 51 vehicles after each of the commands.
+///
+/// The last vehicle is a kilometre behind the first. A command is a train brake and its time, s.
 fn cylinders(keys: &str, reservoir: &str, commands: &[(f64, f64)]) -> Vec<[f64; 2]> {
     let mut train = air_train(&[0], 51, &format!("{keys}{RESERVOIR}{reservoir}"));
     let mut state = start(&mut train, 15.0, Couplers::InBalance, Command::default());

@@ -1,11 +1,11 @@
 //! Drivers who control the speed or repeat a logger, and remote locomotives.
 
+use files::Mistake;
 use longitudinal::Command;
 use longitudinal::driver::Driver;
 use longitudinal::driver::state::DriverState;
 use longitudinal::driver::view::View;
 use longitudinal::{Couplers, TrainDynamics, TrainState};
-use stock::StockError;
 use track::Track;
 
 use crate::support::*;
@@ -13,7 +13,7 @@ use crate::support::*;
 const KMH: f64 = 1.0 / 3.6;
 
 /// Driver of the text of a file, with further files beside it.
-pub fn driver(text: &str, others: &[(&str, &str)]) -> Result<Driver, StockError> {
+pub fn driver(text: &str, others: &[(&str, &str)]) -> Result<Driver, Mistake> {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
     write("driver.toml", text);
@@ -112,8 +112,8 @@ fn property_drivers_keep_to_a_speed_profile_over_a_rolling_line() {
     assert!(uncontrolled.1 > 15.0, "{uncontrolled:?}");
 }
 
-/// The same drivers, whose gains were chosen on the line above, on another line with the paper's train,
-/// four times as heavy. The tail is on another gradient than the head, 2.6 km before it.
+/// The same drivers and gains on another line with the paper's train, four times as heavy.
+/// The tail is on another gradient than the head, 2.6 km before it.
 #[test]
 fn property_drivers_keep_to_a_speed_profile_with_a_heavy_train() {
     let cases = [

@@ -141,8 +141,8 @@ fn property_error_falls_with_the_square_of_the_step() {
     }
 }
 
-/// After an impact the gears may go on swinging within their lock, with no more than its highest
-/// frequency, 2 √(K/m) = 77 rad/s, and hardly any force: nothing alternates from step to step.
+/// After an impact the gears may swing within their lock, but nothing alternates from step to step.
+/// They do it with no more than the highest frequency, 2 √(K/m) = 77 rad/s, and hardly any force.
 #[test]
 fn property_gears_do_not_chatter() {
     let mut train = train(&block_train(1, 10), &friction_gear(), gradient(5.0));

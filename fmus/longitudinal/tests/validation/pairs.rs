@@ -23,8 +23,7 @@ fn impact(gear: &DraftGear, speed: f64) -> f64 {
     peak
 }
 
-/// Two vehicles that run into each other are slowest to one another when both gears have taken
-/// the energy of their relative motion, ½ (m/2) v².
+/// In an impact of two vehicles both gears take the energy of their relative motion, ½ (m/2) v².
 #[test]
 fn analytic_peak_force_of_an_impact_of_two_vehicles() {
     let gear = friction_gear();

@@ -15,9 +15,9 @@ const OFFSETS: [f64; 6] = [7.2, 5.4, 3.6, -3.6, -5.4, -7.2];
 /// number of its vehicle.
 pub fn wheels(leading: f64, more: impl Fn(usize, Wheel) -> Wheel) -> Vec<Wheel> {
     let wheel = |index: usize| {
-        let (vehicle, place) = (index / OFFSETS.len(), index % OFFSETS.len());
+        let (vehicle, wheel) = (index / OFFSETS.len(), index % OFFSETS.len());
         let wheel = Wheel {
-            position: leading - 20.0 * vehicle as f64 + OFFSETS[place] - OFFSETS[0],
+            position: leading - 20.0 * vehicle as f64 + OFFSETS[wheel] - OFFSETS[0],
             speed: SPEED,
             contact: Contact { normal_force: 109_500.0, a: 0.0063, b: 0.0063 },
             ..Wheel::default()

@@ -1,7 +1,8 @@
 //! Conduction between a wheel and a rail of different temperature (rail chill).
 //!
 //! While two half-spaces touch, q = β_eff ΔT/√(π t) flows with β_eff = β_r β_w/(β_r + β_w).
-//! Integrated over the elliptic patch, in which each point stays 2a √(1-(y/b)²)/v (theory eq. 19):
+//! Integrated over the elliptic patch, in which each point stays 2a √(1-(y/b)²)/v
+//! (`docs/theory/railheat/energy.md#eq-19`):
 //!
 //! ```text
 //! G = 3.49608 β_eff b √(2 a v/π),    W/K

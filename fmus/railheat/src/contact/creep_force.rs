@@ -1,6 +1,8 @@
 //! Longitudinal creep force of a wheel on the rail.
 //!
-//! Polach's law for longitudinal creepage alone and constant friction (theory eq. 2, 3):
+//! Polach's law for longitudinal creepage alone and constant friction
+//! (`docs/theory/railheat/paper.md#eq-2`,
+//! `docs/theory/railheat/paper.md#eq-3`):
 //!
 //! ```text
 //! F = (2 μ N / π) (ε / (1 + ε²) + atan ε),    ε = G π a b C₁₁ |ξ| / (4 μ N)

@@ -1,8 +1,8 @@
 //! Temperature rise of the rail's surface under a passing wheel.
 //!
-//! The rail is a half-space that a band of heat crosses fast (Péclet number v a / 2α > 10), so
-//! that heat flows downwards only. With the flux of full slip in a Hertz contact the highest rise
-//! is (theory eq. 4)
+//! The rail is a half-space that a band of heat crosses fast (Péclet number v a / 2α > 10), so that
+//! heat flows downwards only. With the flux of full slip in a Hertz contact the highest rise is
+//! (`docs/theory/railheat/paper.md#eq-4`)
 //!
 //! ```text
 //! ΔT = C ε (q₀/β) √(a/v),   q₀ = 1.5 F |ξ| v / (π a b)

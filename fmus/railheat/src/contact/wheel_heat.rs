@@ -4,9 +4,9 @@
 //! m c T_w' = (1-ε) P + B - h A (T_w - T_a) - G (T_w - T_r)
 //! ```
 //!
-//! (theory eq. 18) with the friction power P, of which the rail gets ε P, the tread brake's heat B,
-//! the cooling h A to the air and the conductance G of the contact (`chill.rs`). T_r is the
-//! crown's temperature when the conduction was computed last.
+//! (`docs/theory/railheat/energy.md#eq-18`) with the friction power P, of which the rail gets ε P,
+//! the tread brake's heat B, the cooling h A to the air and the conductance G of the contact
+//! (`chill.rs`). T_r is the crown's temperature when the conduction was computed last.
 
 use super::chill;
 use super::creep_force::Contact;

@@ -1,7 +1,7 @@
 //! Conduction along the track, which matters at a joint or a wheel burn.
 //!
 //! All of the section has one diffusivity, so that conduction along the track is the same in every
-//! mode and couples none of them (theory eq. 10):
+//! mode and couples none of them (`docs/theory/railheat/energy.md#eq-10`):
 //!
 //! ```text
 //! a_i' = α/ℓ² (a_{i+1} - 2 a_i + a_{i-1})

@@ -1,6 +1,7 @@
 //! The rail as a beam on a Winkler foundation: what bending does to its temperature.
 //!
-//! Under a wheel load P (theory eq. 20 to 22), with β = (u/(4 E I))^¼:
+//! Under a wheel load P, with β = (u/(4 E I))^¼ (`docs/theory/railheat/energy.md#eq-20`,
+//! `docs/theory/railheat/energy.md#eq-21`, `docs/theory/railheat/energy.md#eq-22`):
 //!
 //! ```text
 //! M(x) = P/(4β) e^(-β|x|) (cos β|x| - sin β|x|)

@@ -26,13 +26,20 @@ pub enum CannotBegin {
     /// The rail never comes to a daily course.
     #[error(transparent)]
     Day(#[from] NeverSettles),
+    /// Nothing of the section lies on the pad.
+    #[error(
+        "foot.conductance = {0} W/(m2.K), but the rail section has no level underside that could lie \
+         on a pad: corners_mm must end with a level side, or foot.conductance be zero"
+    )]
+    NoUnderside(f64),
 }
 
 impl EnergyModel {
     /// A rail at its start, with so many wheels on each vehicle.
     ///
     /// # Errors
-    /// When the section has too few or too many cells, or never comes to a daily course.
+    /// When the section has too few or too many cells or no underside for the pad, or never comes to a
+    /// daily course.
     pub fn new(
         parameters: Parameters,
         wheelsets: &[usize],
@@ -45,6 +52,9 @@ impl EnergyModel {
             Resolution::Plane => Cells::grid(outline, *cell_size),
         };
         let surface = Surface::new(&cells);
+        if exchange.pad > 0.0 && !surface.lies_on_pad() {
+            return Err(CannotBegin::NoUnderside(exchange.pad));
+        }
         let mut weather = *weather;
         if let Some(ephemeris) = &parameters.ephemeris {
             weather.sun = ephemeris.at(start_time);

@@ -1,11 +1,12 @@
 //! Modes that are so fast that they follow the heat that comes in.
 //!
-//! At the end of an interval Δt a mode has g S (theory eq. 11) of the heat S that came in meanwhile and e^(-λΔt) of what it had
-//! before. Where λΔt is over five the second is next to nothing. Such modes, half or more of all with cells of 2.5 mm, are not
-//! kept for each element; what they add to its readings is kept, until the next interval ends. Left out
-//! altogether they would be missed: they cancel at the foot what the others show there while heat comes in, some
-//! tenths of a millikelvin under a train in a curve.
-//! Validated by `property_fast_modes_do_not_matter_at_the_foot`.
+//! At the end of an interval Δt a mode has g S (`docs/theory/railheat/energy.md#eq-11`) of the heat
+//! S that came in meanwhile and e^(-λΔt) of what it had before. Where λΔt is over five the second
+//! is next to nothing. Such modes, half or more of all with cells of 2.5 mm, are not kept for each
+//! element; what they add to its readings is kept, until the next interval ends. Left out
+//! altogether they would be missed: they cancel at the foot what the others show there while heat
+//! comes in, some tenths of a millikelvin under a train in a curve. Validated by
+//! `property_fast_modes_do_not_matter_at_the_foot`.
 
 use std::ops::Range;
 

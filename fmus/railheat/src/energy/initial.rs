@@ -11,7 +11,7 @@ pub struct Initial {
     /// Flux into each piece that conduction balances at the start, W/m².
     pub balanced: Vec<f64>,
     /// Sources of the modes by which the section evens out, W/m; zero in equilibrium.
-    pub evening_out: Vec<f64>,
+    pub equalising: Vec<f64>,
 }
 
 impl Initial {
@@ -20,7 +20,7 @@ impl Initial {
         Self {
             temperatures: vec![temperature; pieces],
             balanced: vec![0.0; pieces],
-            evening_out: vec![0.0; modes.width()],
+            equalising: vec![0.0; modes.width()],
         }
     }
 

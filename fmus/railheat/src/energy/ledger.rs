@@ -1,4 +1,4 @@
-//! Heat by source, and the audit (theory eq. 23).
+//! Heat by source, and the audit (`docs/theory/railheat/energy.md#eq-23`).
 
 use std::ops::AddAssign;
 

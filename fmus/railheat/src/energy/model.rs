@@ -195,11 +195,11 @@ impl EnergyModel {
             let Zone { light, initial, sector, .. } = zone;
             let (outline, azimuth) = (&self.parameters.outline, sector.azimuth);
             let (surface, exchange) = (self.untouched.surface(), self.untouched.exchange());
-            light.shine(outline, surface, exchange, &weather, azimuth);
+            light.update(outline, surface, exchange, &weather, azimuth);
             let absorbed = &light.absorbed;
             self.untouched.step(state, initial, &self.modes, &weather, absorbed, time);
         }
-        self.weigh(wheels, &weather);
+        self.update_extra(wheels, &weather);
         // Half before and half after, so that heat which comes in meanwhile flows half the time.
         self.conduct_along(0.5 * time);
         let elements = &mut self.state.elements;
@@ -219,7 +219,7 @@ impl EnergyModel {
         self.conduct_along(0.5 * time);
         self.state.conducted = until;
         self.read();
-        self.find();
+        self.note_findings();
     }
 
     /// Conduction along the track for a time, if wanted.

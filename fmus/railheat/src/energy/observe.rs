@@ -63,8 +63,8 @@ impl EnergyModel {
         }
     }
 
-    /// What cameras see of the foot.
-    pub(super) fn find(&mut self) {
+    /// Notes what cameras see of the foot.
+    pub(super) fn note_findings(&mut self) {
         let Self { readings, parameters, state, chainages, foot, .. } = self;
         let line = &parameters.line;
         let time = state.conducted;

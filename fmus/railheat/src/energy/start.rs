@@ -1,8 +1,8 @@
 //! The rail's temperatures at the start, from which all rises count.
 //!
 //! Uniform, in equilibrium with a weather, or as a day leaves them that has come again and again
-//! (theory eq. 14). In the last case u = T - T_b = Φ a₀ is neither uniform nor steady, and evens
-//! out by itself while b = a - a₀, the rise since the start, begins at zero:
+//! (`docs/theory/railheat/energy.md#eq-14`). In the last case u = T - T_b = Φ a₀ is neither uniform
+//! nor steady, and evens out by itself while b = a - a₀, the rise since the start, begins at zero:
 //!
 //! ```text
 //! b' = -λ b + φ·L (q(T) + H Φ (a₀ + b)) - λ a₀
@@ -122,16 +122,16 @@ impl Initial {
 
     /// Makes a uniform rail one that has these amplitudes over it.
     fn begin_at(&mut self, untouched: &Untouched, modes: &Modes, amplitudes: &[f64]) {
-        for (evening_out, (rate, a)) in
-            self.evening_out.iter_mut().zip(modes.rates.iter().zip(amplitudes))
+        for (equalising, (rate, a)) in
+            self.equalising.iter_mut().zip(modes.rates.iter().zip(amplitudes))
         {
-            *evening_out = -rate * a;
+            *equalising = -rate * a;
         }
         for (piece, facet) in untouched.surface().facets().iter().enumerate() {
             let rise = untouched.rise(piece, amplitudes);
             self.temperatures[piece] += rise;
             let source = facet.length * untouched.in_modes(piece) * rise;
-            add(&mut self.evening_out, source, untouched.shape(piece));
+            add(&mut self.equalising, source, untouched.shape(piece));
         }
     }
 }

@@ -36,7 +36,7 @@ impl EnergyModel {
     }
 
     /// What touched elements feel of the weather beyond what untouched rail does.
-    pub(super) fn weigh(&mut self, wheels: &[Wheel], weather: &Weather) {
+    pub(super) fn update_extra(&mut self, wheels: &[Wheel], weather: &Weather) {
         let Self { parameters: Parameters { train, exchange, .. }, untouched, followers, .. } =
             self;
         let surface = untouched.surface();

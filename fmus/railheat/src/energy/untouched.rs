@@ -7,9 +7,10 @@
 //! s = L (q(T) - q_0 + H r),    T = T_0 + r
 //! ```
 //!
-//! with the flux q_0 that the initial temperatures T_0 balance (theory eq. 13). In equilibrium
-//! s = 0 and r = 0 to the last bit, so that rail without wheels stays as it is. Where the initial
-//! temperatures are neither uniform nor in equilibrium, they even out meanwhile (`initial.rs`).
+//! with the flux q_0 that the initial temperatures T_0 balance
+//! (`docs/theory/railheat/energy.md#eq-13`). In equilibrium s = 0 and r = 0 to the last bit, so
+//! that rail without wheels stays as it is. Where the initial temperatures are neither uniform nor
+//! in equilibrium, they even out meanwhile (`initial.rs`).
 
 use serde::{Deserialize, Serialize};
 
@@ -92,7 +93,7 @@ impl Untouched {
         weather: &Weather,
         absorbed: &[f64],
     ) -> f64 {
-        self.source.copy_from_slice(&initial.evening_out);
+        self.source.copy_from_slice(&initial.equalising);
         let mut heat = 0.0;
         for (piece, facet) in self.surface.facets().iter().enumerate() {
             let rise = self.rise(piece, amplitudes);

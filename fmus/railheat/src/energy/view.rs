@@ -111,12 +111,7 @@ impl HeatModel for EnergyModel {
         length: f64,
     ) -> Option<Stray> {
         self.advance(wheels, weather, start, length);
-        if self.state.stray_warned {
-            return None;
-        }
-        let stray = self.parameters.line.first_stray(wheels);
-        self.state.stray_warned = stray.is_some();
-        stray
+        self.parameters.line.first_stray(wheels, &mut self.state.stray_warned)
     }
 
     fn line(&self) -> &Line {

@@ -3,27 +3,27 @@
 //! | file | part |
 //! |---|---|
 //! | `rail_heat.rs` | initialisation and step |
+//! | `build.rs` | the model that the parameters describe |
 //! | `chosen_model.rs` | the heat model that is chosen |
 //! | `shape.rs` | `railheat.toml`: the wheels and probes that shape the interface |
-//! | `parameters*.rs`, `signals*.rs` | the variables |
-//! | `bounds.rs` | what values parameters may have |
-//! | `checks.rs` | what makes no sense is refused in words |
+//! | `parameters/` | the parameters |
+//! | `inputs.rs`, `outputs.rs` | the inputs and outputs |
+//! | `signals.rs` | handles of all variables |
+//! | `weather_source.rs` | the weather of the file or of the inputs |
 //! | `field_file.rs` | when a snapshot of the field is written |
 
-mod bounds;
-mod checks;
+mod build;
 mod chosen_model;
 mod field_file;
+mod inputs;
+mod outputs;
 mod parameters;
-mod parameters_energy;
-mod parameters_site;
 mod rail_heat;
 mod shape;
 mod signals;
-mod signals_energy;
-mod signals_inputs;
+mod weather_source;
 
 pub use chosen_model::State;
 pub use rail_heat::RailHeat;
-pub use shape::{FILE_NAME, FileError, Shape};
+pub use shape::{FILE_NAME, Shape};
 pub use signals::Signals;

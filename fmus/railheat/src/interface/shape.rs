@@ -10,46 +10,11 @@
 
 use std::path::Path;
 
+use files::{Document, Mistake};
 use serde::Deserialize;
 
 /// Name of the file in the FMU's resources folder.
 pub const FILE_NAME: &str = "railheat.toml";
-
-/// Why the file cannot be used.
-#[derive(Debug, thiserror::Error)]
-pub enum FileError {
-    /// The file cannot be read.
-    #[error(
-        "rail heat file {file}: {source}; it must name the wheelsets of each vehicle, such as \
-             `wheelsets_per_vehicle = [6, 6]`"
-    )]
-    Read {
-        /// File name.
-        file: String,
-        /// Reason.
-        source: std::io::Error,
-    },
-    /// The file is not TOML, or has an unknown key or a wrong type.
-    #[error("rail heat file {file}: {source}")]
-    Syntax {
-        /// File name.
-        file: String,
-        /// Reason, with line and caret.
-        source: Box<toml::de::Error>,
-    },
-    /// A value is not possible.
-    #[error("rail heat file {file}: {key} = {value}: {wanted}")]
-    Value {
-        /// File name.
-        file: String,
-        /// Key with its number, counted from one.
-        key: String,
-        /// Value found.
-        value: f64,
-        /// What would be right.
-        wanted: &'static str,
-    },
-}
 
 /// What shapes the interface.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,29 +48,33 @@ impl Shape {
     ///
     /// # Errors
     /// When the file cannot be read or a value in it is not possible.
-    pub fn from_resources(resources: &Path) -> Result<Self, FileError> {
-        let file = resources.join(FILE_NAME);
-        let name = file.display().to_string();
-        match std::fs::read_to_string(&file) {
-            Ok(text) => Self::from_toml(&text, &name),
-            Err(source) => Err(FileError::Read { file: name, source }),
-        }
+    pub fn from_resources(resources: &Path) -> Result<Self, Mistake> {
+        let document = Document::read(&resources.join(FILE_NAME)).map_err(|mistake| {
+            let hint = "it must name the wheelsets of each vehicle, such as \
+                        `wheelsets_per_vehicle = [6, 6]`";
+            Mistake { sentence: format!("{}; {hint}", mistake.sentence), ..mistake }
+        })?;
+        Self::of(&document)
     }
 
     /// Reads the text of the file; `name` stands in the error messages.
     ///
     /// # Errors
     /// When a value in it is not possible.
-    pub fn from_toml(text: &str, name: &str) -> Result<Self, FileError> {
-        let content: Content = toml::from_str(text).map_err(|source| FileError::Syntax {
-            file: name.to_owned(),
-            source: Box::new(source),
-        })?;
+    pub fn from_toml(text: &str, name: &str) -> Result<Self, Mistake> {
+        Self::of(&Document::new(name, text))
+    }
+
+    fn of(document: &Document) -> Result<Self, Mistake> {
+        let content: Content = document.parse()?;
+        let check = document.check();
         for (index, depth) in content.depths_mm.iter().enumerate() {
-            check(name, format!("depths_mm[{}]", index + 1), *depth, *depth > 0.0)?;
+            check.positive(&format!("depths_mm[{}]", index + 1), *depth)?;
         }
         for (index, probe) in content.probe.iter().enumerate() {
-            check(name, format!("probe[{}].chainage_m", index + 1), probe.chainage_m, true)?;
+            let check = check.element("probe", index);
+            let finite = probe.chainage_m.is_finite();
+            check.ensure(finite, "chainage_m", probe.chainage_m, "must be a finite number")?;
         }
         Ok(Self {
             wheelsets: content.wheelsets_per_vehicle,
@@ -113,22 +82,6 @@ impl Shape {
             probes: content.probe.iter().map(|probe| probe.chainage_m).collect(),
         })
     }
-}
-
-fn check(file: &str, key: String, value: f64, allowed: bool) -> Result<(), FileError> {
-    if allowed && value.is_finite() {
-        return Ok(());
-    }
-    Err(FileError::Value {
-        file: file.to_owned(),
-        key,
-        value,
-        wanted: if value.is_finite() {
-            "must be greater than zero"
-        } else {
-            "must be a finite number"
-        },
-    })
 }
 
 #[cfg(test)]
@@ -149,10 +102,8 @@ mod tests {
     fn errors_name_file_key_and_value() {
         let error = |text: &str| Shape::from_toml(text, "railheat.toml").unwrap_err().to_string();
         let depth = error("wheelsets_per_vehicle = [6]\ndepths_mm = [20.0, -1.0]");
-        assert_eq!(
-            depth,
-            "rail heat file railheat.toml: depths_mm[2] = -1: must be greater than zero"
-        );
+        let expected = "railheat.toml:2:20: depths_mm[2] = -1.0: must be greater than zero";
+        assert!(depth.starts_with(expected), "{depth}");
         let typo = error("wheelsets_per_vehicle = [6]\nprobes = 3");
         assert!(typo.contains("railheat.toml") && typo.contains("probes"), "{typo}");
         let missing = Shape::from_resources(Path::new("/nowhere")).unwrap_err().to_string();

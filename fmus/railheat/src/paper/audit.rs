@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// Heat since the start, J, over the whole modelled rail.
 ///
-/// Conduction moves heat and makes none, so that [`stored`](Self::stored) is
+/// Conduction moves heat and makes none (`docs/theory/railheat/paper.md#eq-7`), so that [`stored`](Self::stored) is
 /// [`imposed`](Self::imposed) plus [`weather`](Self::weather) but for rounding;
 /// [`error`](Self::error) tells how well. Validated by `property_energy_is_accounted_for`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

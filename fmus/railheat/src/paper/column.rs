@@ -1,6 +1,7 @@
 //! Heat conduction over the depth: one-dimensional explicit finite differences.
 //!
-//! Equation 1 of the paper (theory eq. 1), with the diffusivity α where the paper prints k:
+//! Equation 1 of the paper (`docs/theory/railheat/paper.md#eq-1`), with the diffusivity α where the
+//! paper prints k:
 //!
 //! ```text
 //! u_j' = u_j + s (u_{j+1} - 2 u_j + u_{j-1}),    s = α Δt / Δx²
@@ -36,7 +37,7 @@ pub struct Unstable {
     pub longest: f64,
 }
 
-/// The number s = α Δt / Δx² of eq. 1.
+/// The number s = α Δt / Δx² of the conduction.
 ///
 /// # Errors
 /// When it is over the limit of stability, 1/2.

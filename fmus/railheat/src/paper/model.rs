@@ -63,7 +63,7 @@ pub struct State {
 pub struct PaperModel {
     parameters: Parameters,
     start_time: f64,
-    /// s of eq. 1.
+    /// The number s of the conduction.
     number: f64,
     /// RunningSurface, the parameters' depths, foot.
     levels: Vec<Level>,
@@ -226,12 +226,7 @@ impl HeatModel for PaperModel {
         for (position, wheel) in self.state.positions.iter_mut().zip(wheels) {
             *position = wheel.present_position();
         }
-        if self.state.stray_warned {
-            return None;
-        }
-        let stray = self.parameters.grid.line.first_stray(wheels);
-        self.state.stray_warned = stray.is_some();
-        stray
+        self.parameters.grid.line.first_stray(wheels, &mut self.state.stray_warned)
     }
 
     fn line(&self) -> &Line {

@@ -113,7 +113,7 @@ pub struct SurfaceStep<'w> {
     pub weather: &'w Weather,
     /// Initial temperature of the rail, K.
     pub initial: f64,
-    /// Rise of a cell by a flux of 1 W/m² in one step, K·m²/W.
+    /// Rise of a cell by a flux of 1 W/m² in one step (`docs/theory/railheat/paper.md#eq-6`), K·m²/W.
     pub rise_per_flux: f64,
 }
 

@@ -1,6 +1,6 @@
 //! Heat that the running surface exchanges with the weather.
 //!
-//! Theory eq. 5; Table 4 of the paper:
+//! `docs/theory/railheat/paper.md#eq-5`, Table 4 of the paper:
 //!
 //! ```text
 //! q = a_s f I - h (T - T_a) - ε_r σ (T⁴ - T_a⁴)
@@ -9,7 +9,9 @@
 //! per area of the running surface, positive into the rail. The sky is as warm as the air; wind,
 //! and where the sun stands, have no influence. Validated by `analytic_weather_equilibrium`.
 
-use crate::weather::{STEFAN_BOLTZMANN, Weather};
+use numerics::constants::STEFAN_BOLTZMANN;
+
+use crate::weather::Weather;
 
 /// How the running surface exchanges heat.
 #[derive(Clone, Copy, Debug, PartialEq)]

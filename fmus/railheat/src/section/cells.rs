@@ -1,5 +1,6 @@
 //! The section cut into cells (finite volumes with cut cells).
 //!
+//! Capacities, conductances and surface are those of `docs/theory/railheat/energy.md#eq-8`.
 //! The cells are a grid of rectangles, of which the outline cuts off what is not steel. A cell keeps the area of its steel; two neighbours are joined by what of their common side is
 //! steel over the distance of the rectangles' middles; the pieces of the outline in a cell are its
 //! surface. A column (one cell a row, as wide as the rail) is the same with one rectangle a row:

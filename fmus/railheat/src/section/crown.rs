@@ -1,8 +1,8 @@
 //! Where on the head a contact's heat goes.
 //!
 //! The heat of a contact of half width b at the lateral position y spreads over the running surface
-//! as full slip in a Hertz contact does. Summed along the rail, the semi-ellipsoid of the flux is
-//! a parabola, 1-(s/b)², whose share left of s is (theory eq. 17)
+//! as full slip in a Hertz contact does. Summed along the rail, the semi-ellipsoid of the flux is a
+//! parabola, 1-(s/b)², whose share left of s is (`docs/theory/railheat/energy.md#eq-17`)
 //!
 //! ```text
 //! F(s) = 1/2 + 3/4 (s/b) - 1/4 (s/b)³

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use files::{Check, Document, Mistake, did_you_mean};
 use serde::Deserialize;
 
 use super::outline::{Corner, Outline, Point};
@@ -15,35 +16,6 @@ const KNOWN: [(&str, &str); 3] = [
     ("60E1", include_str!("../../../../stock/rails/60E1.toml")),
     ("136RE", include_str!("../../../../stock/rails/136RE.toml")),
 ];
-
-/// Why a rail file cannot be used.
-#[derive(Debug, thiserror::Error)]
-pub enum RailFileError {
-    /// The file cannot be read.
-    #[error("rail section {name}: {source}; known without a file are AS60, 60E1 and 136RE")]
-    Read {
-        /// Name or path.
-        name: String,
-        /// Reason.
-        source: std::io::Error,
-    },
-    /// The file is not TOML, or has an unknown key or a wrong type.
-    #[error("rail section {name}: {source}")]
-    Syntax {
-        /// Name or path.
-        name: String,
-        /// Reason, with line and caret.
-        source: Box<toml::de::Error>,
-    },
-    /// A value is not possible.
-    #[error("rail section {name}: {what}")]
-    Value {
-        /// Name or path.
-        name: String,
-        /// Key, value, what would be right.
-        what: String,
-    },
-}
 
 /// A rail section as its file has it.
 #[derive(Clone, Debug, Deserialize)]
@@ -72,28 +44,32 @@ impl RailFile {
     ///
     /// # Errors
     /// When there is no such section or file, or a value in it is not possible.
-    pub fn open(name: &str) -> Result<Self, RailFileError> {
+    pub fn open(name: &str) -> Result<Self, Mistake> {
         if let Some((_, text)) = KNOWN.iter().find(|(known, _)| *known == name) {
             return Self::from_toml(text, name);
         }
-        let text = std::fs::read_to_string(Path::new(name))
-            .map_err(|source| RailFileError::Read { name: name.to_owned(), source })?;
-        Self::from_toml(&text, name)
+        let document = Document::read(Path::new(name)).map_err(|mistake| {
+            let known = KNOWN.map(|(known, _)| known);
+            let meant = did_you_mean(name, known);
+            let known = known.join(", ");
+            let sentence = format!("{}; known without a file are {known}{meant}", mistake.sentence);
+            Mistake { sentence, ..mistake }
+        })?;
+        Self::of(&document)
     }
 
     /// Reads the text of a file; `name` stands in the error messages.
     ///
     /// # Errors
     /// When a value in it is not possible.
-    pub fn from_toml(text: &str, name: &str) -> Result<Self, RailFileError> {
-        let file: Self = toml::from_str(text).map_err(|source| RailFileError::Syntax {
-            name: name.to_owned(),
-            source: Box::new(source),
-        })?;
-        match file.fault() {
-            Some(what) => Err(RailFileError::Value { name: name.to_owned(), what }),
-            None => Ok(file),
-        }
+    pub fn from_toml(text: &str, name: &str) -> Result<Self, Mistake> {
+        Self::of(&Document::new(name, text))
+    }
+
+    fn of(document: &Document) -> Result<Self, Mistake> {
+        let file: Self = document.parse()?;
+        file.check(&document.check())?;
+        Ok(file)
     }
 
     /// The outline in metres.
@@ -109,51 +85,46 @@ impl RailFile {
         Outline::from_right_half(&self.corners_mm.iter().map(corner).collect::<Vec<_>>())
     }
 
-    /// What is wrong with the file, in words.
-    fn fault(&self) -> Option<String> {
+    /// Refuses corners that are no closed section of the published area.
+    fn check(&self, check: &Check) -> Result<(), Mistake> {
         let corners = &self.corners_mm;
         let (Some(first), Some(last)) = (corners.first(), corners.last()) else {
-            return Some("corners_mm is empty: must lead from the crown to the foot".to_owned());
+            return Err(check.refuse("corners_mm", "must lead from the crown to the foot"));
         };
-        if corners.iter().flatten().any(|value| !(value.is_finite() && *value >= 0.0)) {
-            return Some(
-                "corners_mm: every value must be a number that is not negative".to_owned(),
-            );
-        }
-        if let Some(index) = corners.iter().position(|corner| corner[1] > self.height_mm) {
-            return Some(format!(
-                "corners_mm[{}]: the height {} is above the crown: must be at most height_mm = {}",
-                index + 1,
-                corners[index][1],
-                self.height_mm
-            ));
+        let value = |corner: usize, column: usize| {
+            (format!("corners_mm[{}][{}]", corner + 1, column + 1), corners[corner][column])
+        };
+        for i in 0..corners.len() {
+            for column in 0..3 {
+                let (key, value) = value(i, column);
+                let possible = value.is_finite() && value >= 0.0;
+                check.ensure(possible, &key, value, "must be a number that is not negative")?;
+            }
+            let (key, height) = value(i, 1);
+            let wanted =
+                format!("is above the crown: must be at most height_mm = {}", self.height_mm);
+            check.ensure(height <= self.height_mm, &key, height, &wanted)?;
         }
         let closed = [first[0], first[1] - self.height_mm, last[0], last[1]];
         if closed.iter().any(|gap| gap.abs() > 1e-9) {
-            return Some(format!(
-                "the section is not closed: corners_mm must begin at [0, {}] (the crown) and end \
-                 at [0, 0] (the middle of the foot), but begins at [{}, {}] and ends at [{}, {}]",
+            let why = format!(
+                "the section is not closed: must begin at [0, {}] (the crown) and end at [0, 0] (the \
+                 middle of the foot), but begins at [{}, {}] and ends at [{}, {}]",
                 self.height_mm, first[0], first[1], last[0], last[1]
-            ));
+            );
+            return Err(check.refuse("corners_mm", why));
         }
-        let outline = match self.try_outline() {
-            Ok(outline) => outline,
-            Err(index) => {
-                let (number, radius) = (index + 1, corners[index][2]);
-                return Some(format!(
-                    "corners_mm[{number}]: the radius {radius} mm does not fit between the corners \
-                     before and after it"
-                ));
-            }
-        };
+        let outline = self.try_outline().map_err(|corner| {
+            let (key, radius) = value(corner, 2);
+            let wanted = "the radius in mm does not fit between the corners before and after it";
+            check.error(&key, radius, wanted)
+        })?;
         let area = outline.properties().area * 1e6;
-        if (area / self.area_mm2 - 1.0).abs() <= AREA_TOLERANCE {
-            return None;
-        }
-        Some(format!(
-            "the corners enclose {area:.0} mm2, but area_mm2 = {}: they must agree within {} %",
-            self.area_mm2,
+        let wanted = format!(
+            "the corners enclose {area:.0} mm2: they must agree within {} %",
             100.0 * AREA_TOLERANCE
-        ))
+        );
+        let possible = (area / self.area_mm2 - 1.0).abs() <= AREA_TOLERANCE;
+        check.ensure(possible, "area_mm2", self.area_mm2, &wanted)
     }
 }

@@ -26,7 +26,7 @@ mod running_surface;
 
 pub use cells::{Cell, Cells, Facet, Link};
 pub use crown::Crown;
-pub use file::{RailFile, RailFileError};
+pub use file::RailFile;
 pub use modes::{LANES, Modes, NoModes, add, dot};
 pub use outline::{Outline, Point, Properties};
 pub use propagator::Propagator;

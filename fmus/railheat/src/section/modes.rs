@@ -1,6 +1,7 @@
 //! The modes in which the section conducts heat along itself and gives it to the air.
 //!
-//! The temperatures u of the cells above their surroundings obey (theory eq. 9)
+//! The temperatures u of the cells above their surroundings obey
+//! (`docs/theory/railheat/energy.md#eq-9`)
 //!
 //! ```text
 //! C u' = -(K + H) u + s
@@ -173,7 +174,7 @@ struct Mode {
     shape: Vec<f64>,
 }
 
-/// The matrices of theory eq. 9.
+/// The matrices of `docs/theory/railheat/energy.md#eq-9`.
 struct Conductances<'c> {
     cells: &'c Cells,
     /// Root of the capacity of each cell.

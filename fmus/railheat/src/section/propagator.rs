@@ -1,4 +1,6 @@
-//! One exact step of the modes: a' = -λ a + s with constant s over a time Δt (theory eq. 11).
+//! One exact step of the modes.
+//!
+//! a' = -λ a + s with constant s over a time Δt (`docs/theory/railheat/energy.md#eq-11`):
 //!
 //! ```text
 //! a ← e^(-λΔt) a + g S,    S = s Δt,    g = (1 - e^(-λΔt))/(λΔt)

@@ -5,17 +5,16 @@
 //! h = h_0 + 4.0 W up to 5 m/s, above 7.2 W^0.78 - 5.6 + h_0
 //! ```
 //!
-//! (theory eq. 12) with the sun's direction s, the share f_s = (1 + n·up)/2 of the sky in what the
-//! surface sees, the diffuse irradiance D and the wind W (McAdams, with 5.6 W/(m²·K) in still air,
-//! as in Hong et al., *Int. J. Precis. Eng. Manuf.* 20 (2019) 337-346). The ground is as warm as
-//! the air. The underside of the foot has a conductance to the pad instead, zero when insulated.
-//! Validated by `analytic_weather_…`.
+//! (`docs/theory/railheat/energy.md#eq-12`) with the sun's direction s, the share f_s = (1 +
+//! n·up)/2 of the sky in what the surface sees, the diffuse irradiance D and the wind W (McAdams,
+//! with 5.6 W/(m²·K) in still air, as in Hong et al., *Int. J. Precis. Eng. Manuf.* 20 (2019)
+//! 337-346). The ground is as warm as the air. The underside of the foot has a conductance to the
+//! pad instead, zero when insulated. Validated by `analytic_weather_…`.
+
+use numerics::constants::STEFAN_BOLTZMANN;
 
 use super::conditions::Weather;
 use crate::section::{Cells, Facet};
-
-/// Stefan-Boltzmann constant σ, W/(m²·K⁴) (CODATA 2018).
-pub const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
 
 /// How the rail exchanges heat.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +82,11 @@ impl Surface {
     /// The pieces.
     pub fn facets(&self) -> &[Facet] {
         &self.facets
+    }
+
+    /// Whether a piece lies on the pad.
+    pub fn lies_on_pad(&self) -> bool {
+        self.on_pad.contains(&true)
     }
 
     /// Length of the outline that the air reaches, m.

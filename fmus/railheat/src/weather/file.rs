@@ -13,6 +13,9 @@
 
 use std::path::Path;
 
+use files::{Document, Mistake, Table};
+use numerics::constants::ZERO_CELSIUS;
+
 use super::conditions::Weather;
 use super::sun::Sun;
 
@@ -20,11 +23,14 @@ use super::sun::Sun;
 pub const HEADER: &str =
     "time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2,sun_elevation_deg,sun_azimuth_deg";
 
+/// Column of the time.
+const TIME: usize = 0;
+
 /// Number of columns without those of the sun.
 const WITHOUT_SUN: usize = 5;
 
 /// Lowest and highest value of each column after the time.
-pub(crate) const BOUNDS: [(f64, f64); 6] =
+const BOUNDS: [(f64, f64); 6] =
     [(-90.0, 65.0), (0.0, 115.0), (0.0, 1500.0), (0.0, 1000.0), (-90.0, 90.0), (-360.0, 720.0)];
 
 /// Longest time between two rows, s: beyond it weather cannot be called known.
@@ -33,24 +39,9 @@ const LONGEST_GAP: f64 = 3.0 * 3600.0;
 /// Why the file cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum WeatherFileError {
-    /// The file cannot be read.
-    #[error("weather_file {file}: {source}")]
-    Read {
-        /// File name.
-        file: String,
-        /// Reason.
-        source: std::io::Error,
-    },
-    /// A line is wrong.
-    #[error("weather_file {file}, line {line}: {what}")]
-    Line {
-        /// File name.
-        file: String,
-        /// Line counted from one.
-        line: usize,
-        /// What is wrong, and what would be right.
-        what: String,
-    },
+    /// The file cannot be read, or a value in it is not possible.
+    #[error(transparent)]
+    File(#[from] Mistake),
     /// The file does not cover a time.
     #[error(
         "weather_file {file} has weather from {first} s to {last} s, but the run needs {time} s; it must cover \
@@ -83,11 +74,7 @@ impl WeatherFile {
     /// # Errors
     /// When it cannot be read, has a gap or an absurd value.
     pub fn open(path: &Path) -> Result<Self, WeatherFileError> {
-        let name = path.display().to_string();
-        match std::fs::read_to_string(path) {
-            Ok(text) => Self::from_csv(&text, &name),
-            Err(source) => Err(WeatherFileError::Read { file: name, source }),
-        }
+        Ok(Self::of(&Document::read(path)?)?)
     }
 
     /// Reads the text of a file; `name` stands in the error messages.
@@ -95,41 +82,31 @@ impl WeatherFile {
     /// # Errors
     /// When it has a gap or an absurd value.
     pub fn from_csv(text: &str, name: &str) -> Result<Self, WeatherFileError> {
-        let wrong = |line: usize, what: String| WeatherFileError::Line {
-            file: name.to_owned(),
-            line: line + 1,
-            what,
-        };
-        let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
-        let names: Vec<&str> = HEADER.split(',').collect();
-        let header = lines.next().map_or("", |(_, line)| line.trim());
-        let has_sun = header == HEADER;
-        if !has_sun && header != names[..WITHOUT_SUN].join(",") {
-            return Err(wrong(
-                0,
-                format!("must be {HEADER}, of which the last two may be left out"),
-            ));
+        Ok(Self::of(&Document::new(name, text))?)
+    }
+
+    fn of(document: &Document) -> Result<Self, Mistake> {
+        let table = Table::new(document)?;
+        let has_sun = table.names().eq(HEADER.split(','));
+        if !has_sun && !table.names().eq(HEADER.split(',').take(WITHOUT_SUN)) {
+            let wanted = format!("the columns must be {HEADER}; the last two may be left out");
+            return Err(table.error_in_names(wanted));
         }
-        let names = &names[..if has_sun { names.len() } else { WITHOUT_SUN }];
-        let mut file = Self { name: name.to_owned(), has_sun, times: vec![], rows: vec![] };
-        for (index, line) in lines {
-            let (time, row) = values(line, names).map_err(|what| wrong(index, what))?;
+        let name = document.name().to_owned();
+        let mut file = Self { name, has_sun, times: vec![], rows: vec![] };
+        for row in 0..table.len() {
+            let time = table.number(row, TIME)?;
             let last = file.times.last().copied();
             if let Some(last) = last.filter(|last| time - last <= 0.0 || time - last > LONGEST_GAP)
             {
-                return Err(wrong(
-                    index,
-                    format!(
-                        "time_s = {time} after {last}: must rise, and by {LONGEST_GAP} s at most; a \
-                     longer gap must be filled"
-                    ),
-                ));
+                let wanted = format!(
+                    "must rise from {last} before it, and by {LONGEST_GAP} s at most; a longer gap must \
+                     be filled"
+                );
+                return Err(table.error(row, TIME, wanted));
             }
             file.times.push(time);
-            file.rows.push(row);
-        }
-        if file.times.is_empty() {
-            return Err(wrong(1, "there must be at least one row of weather".to_owned()));
+            file.rows.push(values(&table, row)?);
         }
         Ok(file)
     }
@@ -158,7 +135,7 @@ impl WeatherFile {
             from + share * (to - from)
         };
         Ok(Weather {
-            ambient: value(0) + 273.15,
+            ambient: value(0) + ZERO_CELSIUS,
             wind: value(1),
             direct: value(2),
             diffuse: value(3),
@@ -167,31 +144,18 @@ impl WeatherFile {
     }
 }
 
-/// The time and the values of a line; zero in columns that are left out.
-fn values(line: &str, names: &[&str]) -> Result<(f64, [f64; 6]), String> {
-    let fields: Vec<&str> = line.split(',').map(str::trim).collect();
-    if fields.len() != names.len() {
-        return Err(format!(
-            "has {} values: {} are needed, {}",
-            fields.len(),
-            names.len(),
-            names.join(",")
-        ));
-    }
-    let mut numbers = [0.0; 7];
-    for ((number, field), name) in numbers.iter_mut().zip(&fields).zip(names) {
-        let parsed: Option<f64> = field.parse().ok();
-        *number = parsed
-            .filter(|value| value.is_finite())
-            .ok_or_else(|| format!("{name} = \"{field}\": must be a number"))?;
-    }
-    let [time, row @ ..] = numbers;
-    for ((value, (low, high)), name) in row.iter().zip(BOUNDS).zip(&names[1..]) {
+/// The values of a row behind its time; zero in columns that are left out.
+fn values(table: &Table, row: usize) -> Result<[f64; 6], Mistake> {
+    let mut values = [0.0; 6];
+    let columns = TIME + 1..table.names().count();
+    for ((value, (low, high)), column) in values.iter_mut().zip(BOUNDS).zip(columns) {
+        *value = table.number(row, column)?;
         if !(low..=high).contains(value) {
-            return Err(format!("{name} = {value}: must lie between {low} and {high}"));
+            let wanted = format!("must lie between {low} and {high}");
+            return Err(table.error(row, column, wanted));
         }
     }
-    Ok((time, row))
+    Ok(values)
 }
 
 #[cfg(test)]
@@ -214,13 +178,25 @@ mod tests {
     #[test]
     fn wrong_lines_are_named() {
         for (text, wanted) in [
-            ("time,air\n".to_owned(), "line 1: must be time_s,air_degC"),
-            (format!("{HEADER}\n"), "at least one row"),
-            ("time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2\n0,1".to_owned(), "5 are needed"),
-            (format!("{HEADER}\n0,10,1,0,0,0"), "line 2: has 6 values: 7 are needed"),
-            (format!("{HEADER}\n0,ten,1,0,0,0,0"), "air_degC = \"ten\": must be a number"),
-            (format!("{HEADER}\n0,288,1,0,0,0,0"), "air_degC = 288: must lie between -90 and 65"),
-            (format!("{HEADER}\n0,10,1,0,0,0,0\n0,10,1,0,0,0,0"), "line 3: time_s = 0 after 0"),
+            ("time,air\n0,1".to_owned(), "day.csv:1:1: the columns must be time_s,air_degC"),
+            (format!("{HEADER}\n"), "day.csv: has no rows below the names"),
+            (
+                "time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2\n0,1".to_owned(),
+                "2 values, but the rows above it have 5",
+            ),
+            (
+                format!("{HEADER}\n0,10,1,0,0,0"),
+                "day.csv:2:1: this row has 6 values, but the rows above it have 7",
+            ),
+            (format!("{HEADER}\n0,ten,1,0,0,0,0"), "day.csv:2:3: air_degC = ten: must be a number"),
+            (
+                format!("{HEADER}\n0,288,1,0,0,0,0"),
+                "day.csv:2:3: air_degC = 288: must lie between -90 and 65",
+            ),
+            (
+                format!("{HEADER}\n0,10,1,0,0,0,0\n0,10,1,0,0,0,0"),
+                "day.csv:3:1: time_s = 0: must rise from 0 before it",
+            ),
             (
                 format!("{HEADER}\n0,10,1,0,0,0,0\n20000,10,1,0,0,0,0"),
                 "a longer gap must be filled",

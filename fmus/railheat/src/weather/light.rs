@@ -34,7 +34,7 @@ impl Light {
     }
 
     /// Brings the light on a track of this azimuth up to date.
-    pub fn shine(
+    pub fn update(
         &mut self,
         outline: &Outline,
         surface: &Surface,

@@ -20,8 +20,7 @@ mod sun;
 
 pub use conditions::Weather;
 pub use ephemeris::{Ephemeris, EphemerisError};
-pub use exchange::{Exchange, STEFAN_BOLTZMANN, Surface};
-pub(crate) use file::BOUNDS;
+pub use exchange::{Exchange, Surface};
 pub use file::{HEADER, WeatherFile, WeatherFileError};
 pub(crate) use light::Light;
 pub use shadow::Body;

@@ -3,8 +3,10 @@
 //! The body is a box. A ray from the rail to the sun is at the height z above the rail displaced by
 //! z r/u to the right and by z f/u along the track, with the components r, f and u of the sun's
 //! direction to the right, forwards and upwards. The rail is in the shade where the ray meets the
-//! box (theory eq. 16); bogies and wheels are left out, so that a low sun shines below the floor.
-//! Validated by `analytic_shadow_of_a_vehicle`.
+//! box (`docs/theory/railheat/energy.md#eq-16`); bogies and wheels are left out, so that a low sun
+//! shines below the floor. Validated by `analytic_shadow_of_a_vehicle`.
+
+use numerics::constants::RAIL_LATERAL_POSITION;
 
 use super::sun::Sun;
 
@@ -23,7 +25,8 @@ pub struct Body {
 
 impl Body {
     /// A wagon of usual size above the left rail of standard gauge.
-    pub const WAGON: Self = Self { half_width: 1.5, floor: 1.1, roof: 3.9, rail: -0.7535 };
+    pub const WAGON: Self =
+        Self { half_width: 1.5, floor: 1.1, roof: 3.9, rail: -RAIL_LATERAL_POSITION };
 
     /// Begin and end of the shadow of a body that reaches from one chainage to another, m.
     ///

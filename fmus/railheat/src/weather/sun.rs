@@ -1,8 +1,8 @@
 //! The sun seen from the rail, and the shadow that the rail casts on itself.
 //!
 //! The rail is a prism, so that what shades a piece of surface is found in the section: the ray to
-//! the sun (theory eq. 15), seen along the track, must not meet the outline again.
-//! Validated by `analytic_sun_…`.
+//! the sun (`docs/theory/railheat/energy.md#eq-15`), seen along the track, must not meet the
+//! outline again. Validated by `analytic_sun_…`.
 
 use serde::{Deserialize, Serialize};
 

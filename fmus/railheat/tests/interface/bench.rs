@@ -37,8 +37,12 @@ impl Bench {
     }
 
     pub fn set(&mut self, name: &str, value: f64) {
+        self.try_set(name, value).unwrap();
+    }
+
+    pub fn try_set(&mut self, name: &str, value: f64) -> Result<(), String> {
         let reference = self.reference(name);
-        self.instance.set_real(&[reference], [value]).unwrap();
+        self.instance.set_real(&[reference], [value]).map_err(|error| chain(&error))
     }
 
     pub fn set_texts(&mut self, texts: &[(&str, &str)]) {

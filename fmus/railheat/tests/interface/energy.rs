@@ -35,10 +35,10 @@ fn property_the_energy_model_runs_as_an_fmu() {
     assert_eq!(bench.get("foot.highest.time"), 63.0);
 }
 
-/// Place, time and day as the FMU's parameters: the winter sun over Townsville warms the rail in the morning
+/// Site, time and day as the FMU's parameters: the winter sun over Townsville warms the rail in the morning
 /// (its light does not change here, so that half an hour later it has risen by some kelvin).
 #[test]
-fn property_place_and_time_are_parameters() {
+fn property_site_and_time_are_parameters() {
     let mut bench = Bench::new();
     let track = bench.folder.path().join("curve.toml");
     fs::write(&track, "[[alignment]]\nlength_m = 1000.0\nradius_m = 300.0\n").unwrap();
@@ -65,7 +65,7 @@ fn property_place_and_time_are_parameters() {
 }
 
 #[test]
-fn the_weather_file_takes_the_place_of_the_inputs() {
+fn the_weather_file_stands_for_the_inputs() {
     let mut bench = Bench::new();
     let path = bench.folder.path().join("day.csv");
     let header = railheat::weather::HEADER;

@@ -44,8 +44,8 @@ fn a_field_that_cannot_be_written_stops_the_run_or_not() {
             bench.step(0.02, 0.02, 28.3).unwrap();
         }
         let messages = bench.messages.lock().unwrap().clone();
-        let told = messages.iter().filter(|text| text.contains("goes on without")).count();
-        assert_eq!(told, usize::from(goes_on), "{messages:?}");
+        let warnings = messages.iter().filter(|text| text.contains("goes on without")).count();
+        assert_eq!(warnings, usize::from(goes_on), "{messages:?}");
     }
 }
 
@@ -64,8 +64,8 @@ fn a_field_that_cannot_begin_stops_the_run_or_not() {
         }
         bench.step(0.0, 0.02, 28.0).unwrap();
         let messages = bench.messages.lock().unwrap().clone();
-        let told = messages.iter().filter(|text| text.contains("goes on without")).count();
-        assert_eq!(told, 1, "{messages:?}");
+        let warnings = messages.iter().filter(|text| text.contains("goes on without")).count();
+        assert_eq!(warnings, 1, "{messages:?}");
     }
 }
 

@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `main.rs` | the names of its variables, and a run of the paper's model |
-//! | `energy.rs` | the energy model, place, time and weather |
+//! | `energy.rs` | the energy model, site, time and weather |
 //! | `field.rs` | the store of the field, saved states |
 //! | `bad_input.rs` | what is wrong is named |
 //! | `bench.rs` | an FMU for the tests |
@@ -17,9 +17,9 @@ use fmu::Kind;
 
 use crate::bench::Bench;
 
-/// `design.md` §3 fixes the names.
+/// Other programs connect to these names.
 #[test]
-fn property_the_signals_have_the_designs_names() {
+fn property_the_signals_have_their_names() {
     let bench = Bench::new();
     for signal in [
         "position",
@@ -71,8 +71,8 @@ fn property_a_passing_wheel_warms_the_probe() {
     assert!(surface > 1.0 && (0.0..1e-3).contains(&deep));
     assert!(bench.get("probe[1].heat") > 0.0);
     assert!(bench.get("highest.surface.rise") >= surface);
-    let place = bench.get("highest.surface.chainage");
-    assert!((28.0..=36.4).contains(&place), "{place}");
+    let chainage = bench.get("highest.surface.chainage");
+    assert!((28.0..=36.4).contains(&chainage), "{chainage}");
     let (stored, imposed) = (bench.get("energy.stored"), bench.get("energy.imposed"));
     let error = stored - imposed - bench.get("energy.weather");
     assert!(error.abs() < 1e-10 * imposed);

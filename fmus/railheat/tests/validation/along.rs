@@ -6,6 +6,9 @@ use railheat::energy::{EnergyModel, Parameters, Resolution};
 use railheat::line::Line;
 use railheat::weather::Exchange;
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::energy_common::{INSULATED, NIGHT, outline, parameters, run, wheel};
 
 /// 4 m of rail in elements of 20 mm that conducts along the track.
@@ -16,7 +19,7 @@ fn model(exchange: Exchange, interval: f64) -> EnergyModel {
     EnergyModel::new(parameters, &[1], &NIGHT, 0.0).unwrap()
 }
 
-/// A wheel that spins on one place.
+/// A wheel that spins without moving.
 fn spinning(power: f64) -> Vec<Wheel> {
     vec![Wheel { speed: 0.0, friction_power: power, ..wheel(2.01) }]
 }
@@ -47,8 +50,16 @@ fn analytic_along_the_spread_of_a_burn() {
         run(&mut model, &NIGHT, |_| vec![Wheel::default()], 1.0, steps, length);
         let (end, heat) = spread(&model);
         let grown = (end - begin) / (2.0 * alpha * 600.0);
-        println!("steps of {length} s: spread {grown:.8} of 2 alpha t, heat {heat:.9} J");
-        assert!((grown - 1.0).abs() < 1e-5);
+        println!("heat {heat:.9} J");
+        Row {
+            case: &format!("spread of a wheel burn along the track, steps of {length} s"),
+            value: grown,
+            expected: 1.0,
+            unit: "of 2αt",
+            source: "closed form",
+            tolerance: (1e-5, "what lies beyond the reach of a step"),
+        }
+        .holds(&PAGE);
         assert!((heat / 5000.0 - 1.0).abs() < 1e-9);
         let ledger = model.ledger();
         assert!(ledger.error().abs() < 1e-9 * ledger.sources.moved());
@@ -73,8 +84,8 @@ fn property_along_second_order_in_the_step() {
     assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.2), "{orders:?}");
 }
 
-/// V17: beside a place that is kept warm the excess falls as exp(-x/l) with l = √(k A/(h P)), 0.174 m at
-/// h = 15 all round with the reference's area and perimeter (1 % of area to ours). In the section's slowest mode it is
+/// V17: beside rail that is kept warm the excess falls as exp(-x/l) with l = √(k A/(h P)), 0.174 m at
+/// h = 15 all round with the area and perimeter of `docs/reference/section.md` (1 % of area to ours). In the section's slowest mode it is
 /// √(α/λ) exactly, but for elements of 20 mm: (0.02/l)²/24 = 0.05 %; 0.9 to 1.1 m aside the next mode, e^-4 of the
 /// slowest there, holds next to no heat.
 #[test]
@@ -87,10 +98,21 @@ fn analytic_along_the_length_of_a_fin() {
     let section = outline("60E1").properties();
     let lumped = (40.0 * section.area / (15.0 * section.perimeter)).sqrt();
     let of_reference = (40.0 * 7.67e-3 / (15.0 * 0.676_f64)).sqrt();
-    println!("fin length {length:.5} m, slowest mode {of_mode:.5} m, lumped {lumped:.5} m");
-    assert!((lumped / of_reference - 1.0).abs() < 0.015);
-    assert!((length / of_mode - 1.0).abs() < 1e-3);
-    assert!((length / lumped - 1.0).abs() < 0.015, "Biot number of the section");
+    let published = "V17, docs/reference/conduction.md";
+    for (case, value, expected, source, tolerance) in [
+        ("fin length of 60E1, lumped", lumped, of_reference, published, (0.015, "1 % of area")),
+        (
+            "fin length beside warm rail",
+            length,
+            lumped,
+            "fin in closed form",
+            (0.015, "Biot number"),
+        ),
+        ("the same in the slowest mode", length, of_mode, "√(α/λ)", (1e-3, "elements of 20 mm")),
+    ] {
+        let tolerance = (tolerance.0 * expected, tolerance.1);
+        Row { case, value, expected, unit: "m", source, tolerance }.holds(&PAGE);
+    }
 }
 
 /// Where heat does not come, no element is touched: the run ends where the excess is nothing.

@@ -1,8 +1,9 @@
-//! Conduction of `model = "energy"` against closed forms (reference §5): what comes in through the surface,
+//! Conduction of `model = "energy"` against closed forms: what comes in through the surface,
 //! and what runs through the section.
 
 use std::f64::consts::PI;
 
+use numerics::constants::ZERO_CELSIUS;
 use railheat::HeatModel;
 use railheat::contact::{Material, Wheel};
 use railheat::energy::{EnergyModel, Parameters, Resolution, Start};
@@ -10,6 +11,9 @@ use railheat::line::Line;
 use railheat::section::{Outline, RailFile};
 use railheat::weather::{Exchange, Sun, Weather};
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::common::SPEED;
 use crate::energy_common::{INSULATED, NIGHT, parameters, run, slab, wheel};
 use crate::exact::{cooling_slab, half_space_under_flux, impulse};
@@ -42,9 +46,9 @@ fn fine_slab(depths: &[f64]) -> Parameters {
 }
 
 /// V2: flux of 1e5 W/m² for 1 to 100 s, at 0 (read in the middle of the first cell, 0.5 mm), 5, 10, 20, 60 mm.
-/// The closed form meets the reference's table (eight digits), the model meets it with cells of 1 mm to 0.2 %
+/// The closed form meets the table of `docs/reference/conduction.md` (eight digits), the model meets it with cells of 1 mm to 0.2 %
 /// and what reading linearly between them leaves, h²/8 of the curvature: 0.03 K after 1 s at 5 mm, and as much
-/// of the cells' own. The far side, 172 mm away, is not felt: 2 ierfc(2.6), 2e-4 of the surface's rise.
+/// of the cells' own. The far side, 172 mm away, does not matter: 2 ierfc(2.6), 2e-4 of the surface's rise.
 #[test]
 fn analytic_v2_half_space_under_constant_flux() {
     let depths = [0.005, 0.010, 0.020, 0.060];
@@ -56,25 +60,32 @@ fn analytic_v2_half_space_under_constant_flux() {
         (60.0, [73.52916, 61.704535, 51.218331, 34.093856, 4.0117842]),
         (100.0, [94.925737, 82.949201, 72.013842, 53.187623, 11.767762]),
     ] {
-        let places = [0.0, 0.005, 0.010, 0.020, 0.060];
-        for (place, wanted) in places.into_iter().zip(table) {
-            let found = half_space_under_flux(1e5, place, time);
-            assert!((found - wanted).abs() < 1e-6 * wanted + 1e-7, "{time} s, {place} m: {found}");
+        let depths_of_table = [0.0, 0.005, 0.010, 0.020, 0.060];
+        for (depth, wanted) in depths_of_table.into_iter().zip(table) {
+            let found = half_space_under_flux(1e5, depth, time);
+            assert!((found - wanted).abs() < 1e-6 * wanted + 1e-7, "{time} s, {depth} m: {found}");
         }
         model.step(&[], &sun(1e5), now, time - now);
         now = time;
         for (level, depth) in [0.0005, 0.005, 0.010, 0.020, 0.060].into_iter().enumerate() {
             let (found, wanted) = (model.rise(5, level), half_space_under_flux(1e5, depth, time));
-            println!("{time} s, {depth} m: {found:.5} K, exact {wanted:.5} K");
-            assert!((found - wanted).abs() < 2e-3 * wanted + 0.06, "{time} s, {depth} m");
+            Row {
+                case: &format!("half-space under 1e5 W/m²: {} mm deep after {time} s", 1e3 * depth),
+                value: found,
+                expected: wanted,
+                unit: "K",
+                source: "V2, docs/reference/conduction.md",
+                tolerance: (2e-3 * wanted + 0.06, "cells of 1 mm, read linearly"),
+            }
+            .holds(&PAGE);
         }
     }
 }
 
 /// V12: an instantaneous line source of 1 kJ/m on a half-space, in the section's two dimensions: a block of
-/// 280 x 110 mm that a wheel with a contact 1 mm wide heats in 20 ms, before the far sides are felt (e^-35), read
+/// 280 x 110 mm that a wheel with a contact 1 mm wide heats in 20 ms, before the far sides matter (e^-35), read
 /// in the middles of cells of 5 mm, 7.5 and 27.5 mm deep. The differences of second order are off by
-/// 6 h²/(48 α t) at these places: 3 % after 10 s, 1 % after 30 s.
+/// 6 h²/(48 α t) at these points: 3 % after 10 s, 1 % after 30 s.
 #[test]
 fn analytic_v12_line_source() {
     let base = parameters(block(0.110, 0.140), Resolution::Plane, 0.005);
@@ -105,8 +116,15 @@ fn analytic_v12_line_source() {
         now = time + 0.01;
         for (level, r) in [(1, 0.0075), (2, 0.0275)] {
             let (found, wanted) = (model.excess(100, level), table(time, r));
-            println!("{time} s, {r} m: {found:.6} K, exact {wanted:.6} K");
-            assert!((found / wanted - 1.0).abs() < allowed, "{time} s, {r} m");
+            Row {
+                case: &format!("line source of 1 kJ/m: {} mm deep after {time} s", 1e3 * r),
+                value: found,
+                expected: wanted,
+                unit: "K",
+                source: "V12, docs/reference/conduction.md",
+                tolerance: (allowed * wanted, "cells of 5 mm, 6 h²/(48 α t)"),
+            }
+            .holds(&PAGE);
         }
     }
 }
@@ -140,9 +158,25 @@ fn analytic_v14_harmonic_flux() {
         let amplitude = 1e4 / (Material::PAPER.penetration() * omega.sqrt());
         let wanted = (amplitude * (-depth / reach).exp(), depth / reach + 0.25 * PI);
         let found = (cosine.hypot(sine), sine.atan2(cosine).rem_euclid(2.0 * PI));
-        println!("{depth} m: {found:.5?}, exact {wanted:.5?} (K, rad)");
-        assert!((found.0 / wanted.0 - 1.0).abs() < 5e-3, "{depth} m");
-        assert!((found.1 - wanted.1).abs() < 5e-3, "{depth} m");
+        let source = "V14, docs/reference/conduction.md";
+        Row {
+            case: &format!("sunlight of 0.01 Hz: amplitude {} mm deep", 1e3 * depth),
+            value: found.0,
+            expected: wanted.0,
+            unit: "K",
+            source,
+            tolerance: (5e-3 * wanted.0, "cells of 1 mm, steps of 0.5 s"),
+        }
+        .holds(&PAGE);
+        Row {
+            case: &format!("sunlight of 0.01 Hz: lag {} mm deep", 1e3 * depth),
+            value: found.1,
+            expected: wanted.1,
+            unit: "rad",
+            source,
+            tolerance: (5e-3, "cells of 1 mm, steps of 0.5 s"),
+        }
+        .holds(&PAGE);
     }
 }
 
@@ -180,22 +214,22 @@ fn analytic_v16_cooling_bar() {
     }
 }
 
-/// A train of pulses: 36 wheels, 6 of each of 6 vehicles, pass a place in 7 s; each leaves 50 J/m at its own
+/// A train of pulses: 36 wheels, 6 of each of 6 vehicles, pass a point in 7 s; each leaves 50 J/m at its own
 /// time, and later the rise is the sum of 36 impulses (V8). The rail is the slab, read at the foot, 60 mm deep
 /// and in the uppermost cell of 1 mm. The heat comes in over intervals of 0.25 s instead of at once, of second order:
 /// 0.5 % of the rise, and 0.02 mK where heat just arrives (2 % there, by cells of 1 mm).
 #[test]
 fn analytic_pulse_train() {
     let offsets = [7.2, 5.4, 3.6, -3.6, -5.4, -7.2];
-    let place = |wheel: usize| 20.0 * (wheel / 6) as f64 - offsets[wheel % 6];
+    let behind = |wheel: usize| 20.0 * (wheel / 6) as f64 - offsets[wheel % 6];
     let parameters = Parameters { interval: 0.25, ..fine_slab(&[0.060]) };
     let mut model = EnergyModel::new(parameters, &[36], &NIGHT, 0.0).unwrap();
     let at = |time: f64| -> Vec<Wheel> {
-        (0..36).map(|index| wheel(-10.0 + SPEED * time - place(index))).collect()
+        (0..36).map(|index| wheel(-10.0 + SPEED * time - behind(index))).collect()
     };
     run(&mut model, &NIGHT, at, 0.0, 1000, 0.01);
     let mixture = 50.0 / (Material::PAPER.heat_capacity() * slab().properties().area);
-    let passes = |index: usize| (0.55 + 10.0 + place(index)) / SPEED;
+    let passes = |index: usize| (0.55 + 10.0 + behind(index)) / SPEED;
     let mut now = 10.0;
     for time in [15.0, 60.0, 156.0, 600.0] {
         model.step(&vec![Wheel::default(); 36], &NIGHT, now, time - now);
@@ -204,13 +238,20 @@ fn analytic_pulse_train() {
             let pulses = (0..36).map(|index| impulse(depth, time - passes(index)));
             let wanted = mixture * pulses.sum::<f64>();
             let found = model.excess(5, level);
-            println!("{time} s, {depth} m: {:.4} mK, exact {:.4} mK", 1e3 * found, 1e3 * wanted);
-            assert!((found - wanted).abs() < 5e-3 * wanted + 2e-5, "{time} s, {depth} m");
+            Row {
+                case: &format!("36 wheels: {} mm deep after {time} s", 1e3 * depth),
+                value: 1e3 * found,
+                expected: 1e3 * wanted,
+                unit: "mK",
+                source: "sum of V8, docs/reference/conduction.md",
+                tolerance: (5.0 * wanted + 0.02, "heat over 0.25 s, cells of 1 mm"),
+            }
+            .holds(&PAGE);
         }
     }
 }
 
-/// Reference §3.4: the paper's Table 4 with air of 15 to 50 °C, top surface only, filtered and in full sun (five and four
+/// `docs/reference/conduction.md`: the paper's Table 4 with air of 15 to 50 °C, top surface only, filtered and in full sun (five and four
 /// digits given). The rail is a plate 200 m wide and 20 mm thick on an insulating pad, whose sides are 2e-4 of the
 /// surface: they take 4e-4 of what the top gets, 0.02 K.
 #[test]
@@ -225,11 +266,18 @@ fn analytic_weather_equilibrium_of_the_energy_model() {
             let base = parameters(block(0.020, 100.0), Resolution::Column, 0.010);
             let exchange = Exchange { filter, ..Exchange::TYPICAL };
             let parameters = Parameters { exchange, start: Start::Equilibrium, ..base };
-            let weather = Weather { ambient: air + 273.15, ..sun(1366.0) };
+            let weather = Weather { ambient: air + ZERO_CELSIUS, ..sun(1366.0) };
             let model = EnergyModel::new(parameters, &[1], &weather, 0.0).unwrap();
-            let found = model.initial_temperature() - 273.15;
-            println!("{air} °C, filter {filter}: {found:.3} °C, exact {wanted} °C");
-            assert!((found - wanted).abs() < 0.03, "{air} °C: {found} against {wanted}");
+            let found = model.initial_temperature() - ZERO_CELSIUS;
+            Row {
+                case: &format!("energy model in balance, air of {air} °C, filter {filter}"),
+                value: found,
+                expected: wanted,
+                unit: "°C",
+                source: "closed form, docs/reference/conduction.md",
+                tolerance: (0.03, "sides of the plate"),
+            }
+            .holds(&PAGE);
         }
     }
 }

@@ -16,7 +16,7 @@ pub const SUNNY: Weather = Weather { direct: 1366.0, ..Weather::still(298.15) };
 /// 60 km/h.
 pub const SPEED: f64 = 16.67;
 
-/// 22.3 t axle load on a round contact of 6.3 mm, as in the reference's examples.
+/// 22.3 t axle load on a round contact of 6.3 mm, as in the examples of `docs/reference/conduction.md`.
 pub const CONTACT: Contact = Contact { normal_force: 109_500.0, a: 0.0063, b: 0.0063 };
 
 /// A rail of 172 mm, cut into cells of this size, with elements of 0.1 m.

@@ -4,6 +4,9 @@ use railheat::contact::Material;
 use railheat::paper::{Level, Rail, RunningSurface, fourier_number};
 use railheat::weather::Weather;
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::common::{ADIABATIC, exchange, grid};
 use crate::exact::{SLAB as LENGTH, impulse, slab_under_flux};
 
@@ -26,6 +29,9 @@ fn impulse_on_grid(cells: u32, time: f64) -> [f64; 3] {
     [Level::SURFACE, middle, Level::foot(&grid)].map(|level| rail.rise(0, &level))
 }
 
+/// What [`impulse_on_grid`] reads.
+const LEVELS: [&str; 3] = ["top", "60 mm", "foot"];
+
 /// V8 at 156 s (the passage of the train) and 600 s. The cells' middles lie half a cell within
 /// the slab, and the impulse is spread over a cell: errors of second order, so that each halving
 /// of the cells must leave a quarter. 128 cells of 1.3 mm: within 0.05 %
@@ -42,10 +48,18 @@ fn analytic_slab_impulse_converges_with_second_order() {
         for i in 0..3 {
             let orders = [coarse[i] / middle[i], middle[i] / fine[i]].map(f64::log2);
             println!(
-                "{time} s, place {i}: errors {:.2e} {:.2e} {:.2e}, orders {orders:.2?}",
+                "{time} s, depth {i}: errors {:.2e} {:.2e} {:.2e}, orders {orders:.2?}",
                 coarse[i], middle[i], fine[i]
             );
-            assert!(fine[i].abs() < 5e-4, "{time} s, place {i}: {:?}", fine[i]);
+            Row {
+                case: &format!("impulse on the paper's column: {} after {time} s", LEVELS[i]),
+                value: exact[i] * (1.0 + fine[i]),
+                expected: exact[i],
+                unit: "of the mixture",
+                source: "V8, docs/reference/conduction.md",
+                tolerance: (5e-4 * exact[i], "cells of 1.3 mm"),
+            }
+            .holds(&PAGE);
             assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.2), "{orders:?}");
         }
     }
@@ -64,7 +78,7 @@ fn analytic_slab_constant_flux() {
     let weather = Weather { direct: 1000.0, ..Weather::still(300.0) };
     let exchange = exchange(&sun, &weather, interval, cell_size);
     let in_surface_cell = 1000.0 * interval / (capacity * cell_size);
-    let places = [(0, in_surface_cell), (30, 1e-4), (grid.cells - 1, 1e-4)];
+    let cells = [(0, in_surface_cell), (30, 1e-4), (grid.cells - 1, 1e-4)];
     let mut rail = Rail::new(&grid);
     let mut steps = 0;
     for time in [60.0, 156.0, 200.0, 600.0] {
@@ -72,20 +86,29 @@ fn analytic_slab_constant_flux() {
             rail.step(&grid, &exchange, number, &[], &mut []);
             steps += 1;
         }
-        for (cell, allowed) in places {
+        for (cell, allowed) in cells {
             let depth = grid.depth(cell);
             let found = rail.rise(0, &Level::at_depth(&grid, depth));
             let exact = slab_under_flux(depth, time);
-            println!("{time} s, {depth} m: {found:.7} K, exact {exact:.7} K");
-            let error = (found - exact).abs();
-            assert!(error < 2e-3 * exact + allowed, "{time} s, {depth} m: {error}");
+            Row {
+                case: &format!(
+                    "paper's column under 1 kW/m²: {:.0} mm deep after {time} s",
+                    1e3 * depth
+                ),
+                value: found,
+                expected: exact,
+                unit: "K",
+                source: "V5, docs/reference/conduction.md",
+                tolerance: (2e-3 * exact + allowed, "weather before conduction, cells of 2 mm"),
+            }
+            .holds(&PAGE);
         }
         let mean = 1000.0 * time / (capacity * LENGTH);
         assert!((rail.sum(0) / grid.cells as f64 / mean - 1.0).abs() < 1e-10);
     }
 }
 
-/// Eq. 1 is stable up to s = 1/2: reference §5 V16, 2 mm allow 0.177 s.
+/// Eq. 1 is stable up to s = 1/2: V16, 2 mm allow 0.177 s.
 #[test]
 fn property_an_unstable_interval_is_refused() {
     assert!(fourier_number(&Material::PAPER, 0.1766, 0.002).is_ok());

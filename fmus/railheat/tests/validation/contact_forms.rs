@@ -7,6 +7,9 @@ use railheat::contact::chill::conductance;
 use railheat::contact::{Contact, Material, Wheel, WheelHeat};
 use railheat::energy::{EnergyModel, Parameters, Resolution};
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::common::SPEED;
 use crate::energy_common::{NIGHT, outline, parameters, run, wheel};
 
@@ -19,9 +22,9 @@ fn kernel(u: f64) -> f64 {
     step * (0.5 * value(0) + (1..=points).map(value).sum::<f64>())
 }
 
-/// V10: steady rise under a moving band with a flux of some shape over -1 to 1, in 2 α q/(π k v), at the place X behind
-/// its middle, both over 2 α/v; L is the half width. Substitution u = ±w² for the singularity at the place.
-fn band(half: f64, place: f64, shape: impl Fn(f64) -> f64) -> f64 {
+/// V10: steady rise under a moving band with a flux of some shape over -1 to 1, in 2 α q/(π k v), at X behind
+/// its middle, both over 2 α/v; L is the half width. Substitution u = ±w² for the singularity there.
+fn band(half: f64, at: f64, shape: impl Fn(f64) -> f64) -> f64 {
     let points = 400;
     let side = |end: f64, sign: f64| {
         let root = end.max(0.0).sqrt();
@@ -29,14 +32,14 @@ fn band(half: f64, place: f64, shape: impl Fn(f64) -> f64) -> f64 {
         let value = |i: u32| {
             let w = (f64::from(i) + 0.5) * step;
             let u = sign * w * w;
-            2.0 * w * shape((place - u) / half) * kernel(u)
+            2.0 * w * shape((at - u) / half) * kernel(u)
         };
         step * (0..points).map(value).sum::<f64>()
     };
-    side(place + half, 1.0) + side(half - place, -1.0)
+    side(at + half, 1.0) + side(half - at, -1.0)
 }
 
-/// The highest value of a function with one maximum between 0 and 1, and its place.
+/// The highest value of a function with one maximum between 0 and 1, and where it is.
 fn highest(value: impl Fn(f64) -> f64) -> (f64, f64) {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..40 {
@@ -46,11 +49,11 @@ fn highest(value: impl Fn(f64) -> f64) -> (f64, f64) {
     (value(0.5 * (low + high)), 0.5 * (low + high))
 }
 
-/// V10 (Jaeger): highest rise of a uniform band, its place and the share of the fast limit 2 √(πL); five
+/// V10 (Jaeger): highest rise of a uniform band, where it is and the share of the fast limit 2 √(πL); five
 /// and four digits are given, the quadrature is good to 1e-4.
 #[test]
 fn analytic_v10_moving_band() {
-    for (half, wanted, place, of_limit) in [
+    for (half, wanted, wanted_at, of_limit) in [
         (0.5, 2.04859, 0.5367, 0.8173),
         (1.0, 3.11599, 0.6664, 0.8790),
         (5.0, 7.61271, 0.8759, 0.9604),
@@ -58,9 +61,25 @@ fn analytic_v10_moving_band() {
         (100.0, 35.32293, 0.9877, 0.9964),
     ] {
         let (found, at) = highest(|x| band(half, x * half, |_| 1.0));
-        println!("L = {half}: {found:.5} at {at:.4}, reference {wanted} at {place}");
-        assert!((found / wanted - 1.0).abs() < 2e-4, "L = {half}: {found}");
-        assert!((at - place).abs() < 5e-3, "L = {half}: at {at}");
+        let source = "V10 (Jaeger 1942), docs/reference/conduction.md";
+        Row {
+            case: &format!("moving band, L = {half}: highest rise"),
+            value: found,
+            expected: wanted,
+            unit: "2αq/(πkv)",
+            source,
+            tolerance: (2e-4 * wanted, "quadrature of the test"),
+        }
+        .holds(&PAGE);
+        Row {
+            case: &format!("moving band, L = {half}: where"),
+            value: at,
+            expected: wanted_at,
+            unit: "a",
+            source,
+            tolerance: (5e-3, "quadrature of the test"),
+        }
+        .holds(&PAGE);
         assert!((found / (2.0 * (PI * half).sqrt()) - of_limit).abs() < 3e-4);
     }
 }
@@ -101,14 +120,21 @@ fn analytic_v13_release_law_has_the_heat_of_the_conductance() {
     };
     let of_release: f64 = (0..strips).map(heat).sum();
     let of_model = conductance(beta, a, b, SPEED) / SPEED;
-    println!("release law {of_release:.5} J/(m K), model {of_model:.5} J/(m K)");
-    assert!((of_release / of_model - 1.0).abs() < 2e-4);
+    Row {
+        case: "heat through a contact of 5.88 x 10.54 mm at 60 km/h",
+        value: of_model,
+        expected: of_release,
+        unit: "J/(m K)",
+        source: "V13, release law of Ertz and Knothe 2002",
+        tolerance: (2e-4 * of_release, "sum over 2000 strips"),
+    }
+    .holds(&PAGE);
     // In contact both surfaces have the mean of their temperatures, as the law has it at its begin.
     assert!((2.0 / PI * 0.5 * 1.0_f64.asin() - 0.5).abs() < 1e-15);
 }
 
-/// A wheel 20 K warmer than the rail leaves G ΔT/v in each metre: 2.03 J/m per kelvin at 60 km/h for a contact of 6.3 mm (reference
-/// §2.1, three digits). The wheel itself cools by 0.5 mK meanwhile.
+/// A wheel 20 K warmer than the rail leaves G ΔT/v in each metre: 2.03 J/m per kelvin at 60 km/h for a contact of 6.3 mm
+/// (`docs/reference/conduction.md`). The wheel itself cools by 0.5 mK meanwhile.
 #[test]
 fn benchmark_chill_heat_per_metre() {
     let base = parameters(outline("AS60"), Resolution::Plane, 0.012);
@@ -118,14 +144,21 @@ fn benchmark_chill_heat_per_metre() {
     let rolling = |t: f64| vec![Wheel { friction_power: 0.0, ..wheel(5.0 + SPEED * t) }];
     run(&mut model, &NIGHT, rolling, 0.0, 50, 0.01);
     let per_kelvin = model.sources_per_metre(80).chill / 20.0;
-    println!("{per_kelvin:.4} J/m per K");
-    assert!((per_kelvin - 2.03).abs() < 0.005, "{per_kelvin}");
+    Row {
+        case: "rail chill of a wheel 20 K warmer, 6.3 x 6.3 mm, 60 km/h",
+        value: per_kelvin,
+        expected: 2.03,
+        unit: "J/(m K)",
+        source: "closed form, docs/reference/conduction.md",
+        tolerance: (0.005, "three digits are given"),
+    }
+    .holds(&PAGE);
 }
 
 /// The Ertz-Knothe case, full slip: 150.30 K in closed form, 166.8 K in print from CONTACT. Its sum over cells of
 /// q 2(√(x - x_j + h) - √(x - x_j - h)) takes 2√h for the cell itself, to which the factor 2 comes again, where the
 /// integral gives √h. The right sum gives 150.27 K with its cells of 0.2 mm and stays with smaller ones; the doubled one
-/// gives 164.4, 160.1 and 157.2 K with 0.2, 0.1 and 0.05 mm (reference §2.2), so that it has no limit but the integral. What
+/// gives 164.4, 160.1 and 157.2 K with 0.2, 0.1 and 0.05 mm (`docs/reference/conduction.md`), so that it has no limit but the integral. What
 /// is left to 166.8 is elastic slip, 1.4 %. Four digits are given: 0.1 K.
 #[test]
 fn benchmark_ertz_knothe_and_what_contact_makes_of_it() {
@@ -151,9 +184,23 @@ fn benchmark_ertz_knothe_and_what_contact_makes_of_it() {
     let exact = WheelHeat::TYPICAL.flash(&model, &steel);
     for (cell, wanted) in [(0.2e-3, 164.4), (0.1e-3, 160.1), (0.05e-3, 157.2)] {
         let (right, doubled) = (rise(cell, 1.0), rise(cell, 2.0));
-        println!("cells of {cell} m: {right:.2} K, doubled {doubled:.2} K; model {exact:.2} K");
-        assert!((right - 150.27).abs() < 0.1, "{right}");
-        assert!((doubled - wanted).abs() < 0.1, "{doubled} against {wanted}");
-        assert!((exact - right).abs() < 0.1);
+        Row {
+            case: &format!("Ertz-Knothe case against sums over cells of {} mm", 1e3 * cell),
+            value: exact,
+            expected: right,
+            unit: "K",
+            source: "CONTACT's sum with the cell's own term once",
+            tolerance: (0.1, "four digits are given"),
+        }
+        .holds(&PAGE);
+        Row {
+            case: &format!("CONTACT's sum over cells of {} mm, own term twice", 1e3 * cell),
+            value: doubled,
+            expected: wanted,
+            unit: "K",
+            source: "CONTACT, user guide, `ertz_temperature`",
+            tolerance: (0.1, "four digits are given"),
+        }
+        .holds(&PAGE);
     }
 }

@@ -6,9 +6,12 @@ use railheat::energy::Beam;
 use railheat::section::Cells;
 use railheat::weather::{Exchange, Sun, Surface};
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::energy_common::{INSULATED, outline, parameters, slab};
 
-/// Reference §2.1, rail chill: conductance for two contacts at five speeds (three digits given).
+/// Rail chill in `docs/reference/conduction.md`: conductance for two contacts at five speeds (three digits given).
 #[test]
 fn benchmark_chill_conductance() {
     let beta = Material::PAPER.penetration();
@@ -19,11 +22,19 @@ fn benchmark_chill_conductance() {
         (22.22, 63.2, 39.1),
         (30.0, 73.4, 45.4),
     ] {
-        for (found, wanted) in [
-            (conductance(beta, 0.00588, 0.01054, speed), wide),
-            (conductance(beta, 0.0063, 0.0063, speed), round),
+        for (contact, [a, b], wanted) in [
+            ("5.88 x 10.54 mm", [0.00588, 0.01054], wide),
+            ("6.3 x 6.3 mm", [0.0063, 0.0063], round),
         ] {
-            assert!((found - wanted).abs() < 0.06, "{speed} m/s: {found} against {wanted}");
+            Row {
+                case: &format!("conductance of a contact of {contact} at {speed} m/s"),
+                value: conductance(beta, a, b, speed),
+                expected: wanted,
+                unit: "W/K",
+                source: "closed form, docs/reference/conduction.md",
+                tolerance: (0.06, "three digits are given"),
+            }
+            .holds(&PAGE);
         }
     }
 }
@@ -42,11 +53,28 @@ fn analytic_flash_of_the_ertz_knothe_case() {
     };
     let steel = Material { conductivity: 50.0, ..Material::PAPER };
     let peak = WheelHeat { partition: 0.5, ..heat }.flash(&wheel, &steel);
-    assert!((peak - 150.30).abs() < 0.02, "{peak}");
-    assert!((peak * MEAN_OVER_PEAK / (150.30 * 0.6765063 / 1.2346198) - 1.0).abs() < 2e-4);
+    let source = "Ertz and Knothe, Wear 253 (2002) 498";
+    Row {
+        case: "flash rise of the Ertz-Knothe case by its friction power",
+        value: peak,
+        expected: 150.30,
+        unit: "K",
+        source,
+        tolerance: (0.02, "five digits are given"),
+    }
+    .holds(&PAGE);
+    Row {
+        case: "mean of it over the contact",
+        value: peak * MEAN_OVER_PEAK,
+        expected: 150.30 * 0.6765063 / 1.2346198,
+        unit: "K",
+        source: "closed form, docs/reference/conduction.md",
+        tolerance: (0.017, "the same digits"),
+    }
+    .holds(&PAGE);
 }
 
-/// Reference §6.2, Winkler beam of AS60 with E I = 6.15 MN m²: highest moment (three digits, and 40 t are
+/// `docs/reference/section.md`, Winkler beam of AS60 with E I = 6.15 MN m²: highest moment (three digits, and 40 t are
 /// 196.2 kN: 0.3 %) and thermoelastic change at the foot (whole mK); two wheel loads, three track moduli.
 #[test]
 fn benchmark_bending() {
@@ -65,16 +93,42 @@ fn benchmark_bending() {
                 loss_factor: 1e-3,
             };
             let highest = beam.moment([(load, 0.0)]);
-            assert!((highest / 1000.0 / moment - 1.0).abs() < 0.003, "{highest} against {moment}");
+            let source = "Winkler's beam by hand, docs/reference/section.md";
+            let of_wheel = format!("{} kN on {} MPa", load / 1e3, track_modulus / 1e6);
+            Row {
+                case: &format!("bending moment under {of_wheel}"),
+                value: highest / 1000.0,
+                expected: moment,
+                unit: "kN m",
+                source,
+                tolerance: (0.003 * moment, "three digits, and 40 t are 196.2 kN"),
+            }
+            .holds(&PAGE);
             let found = 1000.0 * beam.thermoelastic(highest, 293.0, steel);
-            assert!((found - change).abs() < 1.0, "{found} mK against {change}");
+            Row {
+                case: &format!("thermoelastic change of the foot under {of_wheel}"),
+                value: found,
+                expected: change,
+                unit: "mK",
+                source,
+                tolerance: (1.0, "whole mK are given"),
+            }
+            .holds(&PAGE);
             let uplift = beam.moment([(load, 0.5 * std::f64::consts::PI / beam.decay())]) / highest;
-            assert!((uplift + 0.208).abs() < 5e-4, "{uplift}");
+            Row {
+                case: &format!("uplift over the moment under {of_wheel}"),
+                value: uplift,
+                expected: -0.208,
+                unit: "1",
+                source,
+                tolerance: (5e-4, "three digits are given"),
+            }
+            .holds(&PAGE);
         }
     }
 }
 
-/// Reference §6.2, hysteresis of 780 wheels of 22.3 t axles on 35 MPa: 5.5 mK in the outermost fibre
+/// `docs/reference/section.md`, hysteresis of 780 wheels of 22.3 t axles on 35 MPa: 5.5 mK in the outermost fibre
 /// of the foot with η = 1e-3 (two digits).
 #[test]
 fn benchmark_hysteresis() {
@@ -89,7 +143,15 @@ fn benchmark_hysteresis() {
     // Heat per volume in the outermost fibre: the total by the second moment times its distance squared.
     let per_volume = beam.hysteresis(109_500.0) * beam.to_foot.powi(2) / beam.second_moment;
     let rise = 780.0 * per_volume / Material::PAPER.heat_capacity();
-    assert!((1000.0 * rise - 5.5).abs() < 0.1, "{rise}");
+    Row {
+        case: "rise of the foot by hysteresis under 780 wheels",
+        value: 1000.0 * rise,
+        expected: 5.5,
+        unit: "mK",
+        source: "by hand, docs/reference/section.md",
+        tolerance: (0.1, "two digits are given"),
+    }
+    .holds(&PAGE);
 }
 
 /// The sun in the east above a track to the north lights the right sides, at 30° the crown by one
@@ -121,11 +183,19 @@ fn analytic_sun_on_the_surfaces() {
     assert!(lit(-1.0).iter().all(|lit| *lit == 0.0));
 }
 
-/// McAdams as used by Hong et al. (reference §3.1): 5.6 in still air, 25.6 at 5 m/s, 7.2 W^0.78 above.
+/// McAdams as used by Hong et al. 2019: 5.6 in still air, 25.6 at 5 m/s, 7.2 W^0.78 above.
 #[test]
 fn benchmark_convection_by_wind() {
     let exchange = Exchange { convection: 5.6, ..INSULATED };
     for (wind, wanted) in [(0.0, 5.6), (5.0, 25.6), (10.0, 7.2 * 10_f64.powf(0.78))] {
-        assert!((exchange.coefficient(wind) - wanted).abs() < 1e-12);
+        Row {
+            case: &format!("convection in a wind of {wind} m/s"),
+            value: exchange.coefficient(wind),
+            expected: wanted,
+            unit: "W/(m² K)",
+            source: "McAdams as used by Hong et al. 2019",
+            tolerance: (1e-12, "rounding"),
+        }
+        .holds(&PAGE);
     }
 }

@@ -33,10 +33,18 @@ pub const INSULATED: Exchange = Exchange {
 
 /// An upright slab 172 mm high and 40 mm wide: the one-dimensional closed forms.
 pub fn slab() -> Outline {
-    let text = "name = \"slab\"\nsource = \"test\"\nheight_mm = 172\narea_mm2 = 6880\n\
-                centroid_above_foot_mm = 86\nsecond_moment_mm4 = 1\n\
-                corners_mm = [[0, 172, 0], [20, 172, 0], [20, 0, 0], [0, 0, 0]]";
-    RailFile::from_toml(text, "slab").unwrap().outline()
+    slab_of(20.0)
+}
+
+/// An upright slab 172 mm high with this half width in mm.
+pub fn slab_of(half_width: f64) -> Outline {
+    let area = 2.0 * half_width * 172.0;
+    let text = format!(
+        "name = \"slab\"\nsource = \"test\"\nheight_mm = 172\narea_mm2 = {area:?}\n\
+         centroid_above_foot_mm = 86\nsecond_moment_mm4 = 1\ncorners_mm = [[0, 172, 0], \
+         [{half_width:?}, 172, 0], [{half_width:?}, 0, 0], [0, 0, 0]]"
+    );
+    RailFile::from_toml(&text, "slab").unwrap().outline()
 }
 
 pub fn outline(rail: &str) -> Outline {

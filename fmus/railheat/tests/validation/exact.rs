@@ -1,14 +1,14 @@
-//! The closed forms of the reference (§5) and the values that it gives for them.
+//! The closed forms of `docs/reference/conduction.md` and the values that it gives for them.
 
 use std::f64::consts::PI;
 
 use railheat::contact::Material;
 
-/// Height of the reference's slab, m.
+/// Height of that page's slab, m.
 pub const SLAB: f64 = 0.172;
 
 /// Error function's complement and its integral (V1), by the series for small and the continued
-/// fraction for large arguments; the table of the reference tests them.
+/// fraction for large arguments; that page's table tests them.
 fn erfc(x: f64) -> f64 {
     if x < 2.5 {
         let term = |(sum, power): (f64, f64), n: u32| {
@@ -96,7 +96,7 @@ pub fn slab_under_flux(depth: f64, time: f64) -> f64 {
         + 1000.0 * SLAB / steel.conductivity * (parabola - series)
 }
 
-/// The closed forms of this file give the reference's own values (eight digits there).
+/// The closed forms of this file give that page's values (eight digits there).
 #[test]
 fn analytic_closed_forms_are_those_of_the_reference() {
     for (time, top, middle, foot) in [

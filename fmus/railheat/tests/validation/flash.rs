@@ -4,6 +4,9 @@ use railheat::contact::{
     Contact, Friction, HERTZ_PEAK, Material, creep_force, flash_rise, kalker_c11,
 };
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::common::{CONTACT, SPEED};
 
 /// Rise behind a semi-elliptic flux at x = s a behind the middle, in units of ε (q₀/β) √(a/v):
@@ -24,7 +27,7 @@ fn profile(s: f64) -> f64 {
     sum / std::f64::consts::PI.sqrt()
 }
 
-/// Reference §1: five digits are given; the quadrature is good to more than seven.
+/// `docs/reference/conduction.md`: five digits are given; the quadrature is good to more than seven.
 #[test]
 fn analytic_flash_profile_of_a_hertz_contact() {
     for (s, wanted) in [
@@ -39,43 +42,83 @@ fn analytic_flash_profile_of_a_hertz_contact() {
         (2.0, 0.64289),
         (10.0, 0.28051),
     ] {
-        assert!((profile(s) - wanted).abs() < 6e-6, "at {s}: {}", profile(s));
+        Row {
+            case: &format!("rise behind a Hertz contact, {s} a behind its middle"),
+            value: profile(s),
+            expected: wanted,
+            unit: "ε q₀/β √(a/v)",
+            source: "closed form, docs/reference/conduction.md",
+            tolerance: (6e-6, "five digits are given"),
+        }
+        .holds(&PAGE);
     }
 }
 
-/// Reference §1: the constant of the code is the profile's maximum, at x = 0.6522295 a.
+/// `docs/reference/conduction.md`: the constant of the code is the profile's maximum, at x = 0.6522295 a.
 #[test]
 fn analytic_flash_constant_is_the_maximum_of_the_profile() {
-    let place = 0.652_229_5;
-    assert!((profile(place) - HERTZ_PEAK).abs() < 2e-7);
-    for other in [place - 1e-2, place + 1e-2] {
+    let peak = 0.652_229_5;
+    Row {
+        case: "highest rise behind a Hertz contact",
+        value: HERTZ_PEAK,
+        expected: profile(peak),
+        unit: "ε q₀/β √(a/v)",
+        source: "maximum of the closed form, by quadrature",
+        tolerance: (2e-7, "digits of the constant"),
+    }
+    .holds(&PAGE);
+    for other in [peak - 1e-2, peak + 1e-2] {
         assert!(profile(other) < HERTZ_PEAK);
     }
 }
 
-/// Reference §1 and §7.9: with equal steels the rise is 0.29474 F ξ √(v/a)/(b β), so that 2.5 N of
+/// `docs/reference/conduction.md`: with equal steels the rise is 0.29474 F ξ √(v/a)/(b β), so that 2.5 N of
 /// F ξ make 0.51 K at 60 km/h (stated to two digits).
 #[test]
 fn analytic_flash_rise_of_two_and_a_half_newtons() {
     let steel = Material::PAPER;
     let (a, b) = (CONTACT.a, CONTACT.b);
     let rise = flash_rise(&CONTACT, 2500.0, 0.001, SPEED, 0.5, &steel);
-    assert!((rise - 0.51).abs() < 0.005, "{rise}");
+    Row {
+        case: "flash rise by 2.5 N of force times creepage at 60 km/h",
+        value: rise,
+        expected: 0.51,
+        unit: "K",
+        source: "closed form, docs/reference/conduction.md",
+        tolerance: (0.005, "two digits are given"),
+    }
+    .holds(&PAGE);
     let coefficient = rise / (2.5 * (SPEED / a).sqrt() / (b * steel.penetration()));
-    assert!((coefficient - 0.29474).abs() < 5e-6, "{coefficient}");
+    Row {
+        case: "flash rise over F ξ √(v/a)/(b β) with equal steels",
+        value: coefficient,
+        expected: 0.29474,
+        unit: "1",
+        source: "half of 0.58949, docs/reference/conduction.md",
+        tolerance: (5e-6, "five digits are given"),
+    }
+    .holds(&PAGE);
 }
 
-/// Ertz & Knothe, *Wear* 253 (2002) 498: their case in closed form is 150.30 K (reference §2.2,
+/// Ertz & Knothe, *Wear* 253 (2002) 498: their case in closed form is 150.30 K (`docs/reference/conduction.md`,
 /// five digits).
 #[test]
 fn benchmark_flash_rise_of_the_ertz_knothe_case() {
     let contact = Contact { normal_force: 100e3, a: 5.88e-3, b: 10.54e-3 };
     let steel = Material { conductivity: 50.0, ..Material::PAPER };
     let rise = flash_rise(&contact, 0.3 * 100e3, 1.0 / 30.0, 30.0, 0.5, &steel);
-    assert!((rise - 150.30).abs() < 0.005, "{rise}");
+    Row {
+        case: "flash rise of the Ertz-Knothe case by its creep force",
+        value: rise,
+        expected: 150.30,
+        unit: "K",
+        source: "Ertz and Knothe, Wear 253 (2002) 498",
+        tolerance: (0.005, "five digits are given"),
+    }
+    .holds(&PAGE);
 }
 
-/// Reference §1: the heat that a wheel really leaves in a metre of rail is
+/// `docs/reference/conduction.md`: the heat that a wheel really leaves in a metre of rail is
 /// 1.6964 b β √(a/v) ΔT, 2.47 J/m per kelvin here (three digits).
 #[test]
 fn analytic_heat_per_metre_of_a_flash_temperature() {
@@ -85,12 +128,29 @@ fn analytic_heat_per_metre_of_a_flash_temperature() {
     let per_kelvin = 0.5 * force * creepage / rise;
     let (a, b) = (CONTACT.a, CONTACT.b);
     let constant = per_kelvin / (b * steel.penetration() * (a / SPEED).sqrt());
-    assert!((constant - 1.6964).abs() < 5e-5, "{constant}");
-    assert!((per_kelvin - 2.47).abs() < 0.005, "{per_kelvin}");
+    let source = "closed form, docs/reference/conduction.md";
+    Row {
+        case: "heat per metre over b β √(a/v) and kelvin of flash rise",
+        value: constant,
+        expected: 1.6964,
+        unit: "1",
+        source,
+        tolerance: (5e-5, "five digits are given"),
+    }
+    .holds(&PAGE);
+    Row {
+        case: "heat per metre and kelvin of flash rise at 60 km/h",
+        value: per_kelvin,
+        expected: 2.47,
+        unit: "J/(m K)",
+        source,
+        tolerance: (0.005, "three digits are given"),
+    }
+    .holds(&PAGE);
 }
 
 /// CONTACT 24.1, exact half-space with Coulomb friction, locomotive Eurosprinter 127
-/// (reference/vehicle.md 4.7, series 1). Polach's law with both factors 1 is known to be +4.0 to
+/// (`docs/reference/contact.md`, series 1). Polach's law with both factors 1 is known to be +4.0 to
 /// -6.2 % off; the parabola for C₁₁ adds its own 1.1 % where the force is linear.
 #[test]
 fn benchmark_creep_force_against_contact() {
@@ -107,13 +167,20 @@ fn benchmark_creep_force_against_contact() {
         (0.25, 35_210.0),
     ] {
         let force = creep_force(&contact, creepage, 0.33);
-        let error = force / wanted - 1.0;
-        assert!(error.abs() < 0.065, "ξ = {creepage}: {force} N, {error}");
+        Row {
+            case: &format!("creep force at a creepage of {creepage}"),
+            value: force,
+            expected: wanted,
+            unit: "N",
+            source: "CONTACT, Eurosprinter, series 1 (docs/reference/contact.md)",
+            tolerance: (0.065 * wanted, "Polach's law, +4.0 to -6.2 %"),
+        }
+        .holds(&PAGE);
         assert_eq!(force, creep_force(&contact, -creepage, 0.33));
     }
 }
 
-/// Kalker's table at ν = 0.28 (reference/vehicle.md 4.3): the parabola's error is at most 1.7 %.
+/// Kalker 1990, table E.3, at ν = 0.28: the parabola's error is at most 1.7 %.
 #[test]
 fn benchmark_kalker_coefficient() {
     for (ratio, wanted) in [
@@ -125,8 +192,15 @@ fn benchmark_kalker_coefficient() {
         (5.0, 7.892),
         (10.0, 11.83),
     ] {
-        let error = kalker_c11(ratio) / wanted - 1.0;
-        assert!(error.abs() < 0.017, "a/b = {ratio}: {error}");
+        Row {
+            case: &format!("Kalker's coefficient C₁₁, ν = 0.28, a/b = {ratio}"),
+            value: kalker_c11(ratio),
+            expected: wanted,
+            unit: "1",
+            source: "Kalker 1990, table E.3",
+            tolerance: (0.017 * wanted, "error of the parabola, 1.7 %"),
+        }
+        .holds(&PAGE);
     }
 }
 

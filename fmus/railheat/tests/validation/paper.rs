@@ -58,7 +58,7 @@ fn property_only_a_hotter_wheel_heats() {
     assert_eq!(model.audit().imposed, heat, "a colder wheel adds nothing");
 }
 
-/// Reference §7.7: setting a cell's temperature instead of adding the heat that flowed in puts in
+/// `docs/reference/conduction.md`: setting a cell's temperature instead of adding the heat that flowed in puts in
 /// 12, 24, 60 and 120 times too much with cells of 1, 2, 5 and 10 mm (a = 6.3 mm, 60 km/h, per
 /// area of the contact band; 294 J/m² per kelvin of flash are right). A known defect of the
 /// paper's model, kept as it is.
@@ -166,17 +166,17 @@ fn property_a_restored_state_goes_on_bit_for_bit() {
     let mut model = model(parameters(), 3);
     run(&mut model, three_wheels, 777, 0.001);
     let bytes = postcard::to_allocvec(model.state()).unwrap();
-    let go_on = |model: &mut PaperModel| {
+    let continue_run = |model: &mut PaperModel| {
         for step in 777..1500 {
             let start = f64::from(step) * 0.001;
             model.step(&three_wheels(start + 0.001), &SUNNY, start, 0.001);
         }
         model.state().clone()
     };
-    let wanted = go_on(&mut model);
+    let wanted = continue_run(&mut model);
     let state: State = postcard::from_bytes(&bytes).unwrap();
     model.restore(state);
-    assert_eq!(go_on(&mut model), wanted);
+    assert_eq!(continue_run(&mut model), wanted);
 }
 
 /// Why the default conduction interval is 50 ms: 30 s after three wheels have passed, the mean
@@ -208,7 +208,7 @@ fn property_the_default_conduction_interval_is_short_enough() {
     assert!(errors[1] < 0.005, "{errors:?}");
 }
 
-/// The first wheel off the track is told of, once, and the others go on heating.
+/// The first wheel off the track is given back, once, and the others heat on.
 #[test]
 fn property_a_stray_wheel_is_told_of_once() {
     let mut model = model(parameters(), 2);

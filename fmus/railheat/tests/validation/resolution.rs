@@ -10,7 +10,7 @@ use crate::energy_common::{
     DAY, INSULATED, NIGHT, all_effects, energy, outline, parameters, run, slab, wheel,
 };
 
-/// A place on AS60 that gets the heat of a train on R = 800 m, 9.75 kJ/m in 156 s, with h = 15.
+/// An element of AS60 that gets the heat of a train on R = 800 m, 9.75 kJ/m in 156 s, with h = 15.
 fn of_the_train(cell_size: f64) -> (Parameters, Vec<Wheel>) {
     let base = parameters(outline("AS60"), Resolution::Plane, cell_size);
     let exchange = Exchange { convection: 15.0, ..INSULATED };
@@ -123,10 +123,10 @@ fn analytic_column_slab_impulse() {
             let mixture = 5e4 * 0.02 / 0.1 / (7850.0 * 450.0 * 6.88e-3);
             [model.excess(80, 1) / mixture / deep - 1.0, model.excess(80, 2) / mixture / foot - 1.0]
         });
-        for place in 0..2 {
-            let orders = [0, 1].map(|i| (errors[i][place] / errors[i + 1][place]).log2());
-            println!("{time} s: errors {:?}, orders {orders:.2?}", errors.map(|e| e[place]));
-            assert!(errors[2][place].abs() < 1e-3);
+        for level in 0..2 {
+            let orders = [0, 1].map(|i| (errors[i][level] / errors[i + 1][level]).log2());
+            println!("{time} s: errors {:?}, orders {orders:.2?}", errors.map(|e| e[level]));
+            assert!(errors[2][level].abs() < 1e-3);
             assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.3), "{orders:?}");
         }
     }

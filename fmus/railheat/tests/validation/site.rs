@@ -9,6 +9,9 @@ use railheat::energy::{
 };
 use railheat::weather::{Body, Ephemeris, Exchange, Sun, Weather};
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::energy_common::{INSULATED, NIGHT, outline, parameters, run, wheel};
 
 const MORNING: Weather =
@@ -26,8 +29,20 @@ fn benchmark_sun_position() {
     let (latitude, longitude) = (39.742476_f64.to_radians(), (-105.1786_f64).to_radians());
     let golden = Ephemeris::new("2003-10-17T12:00:00-07:00", latitude, longitude).unwrap();
     let sun = golden.at(1830.0);
-    assert!((sun.elevation.to_degrees() - 39.872046).abs() < 3e-4, "{sun:?}");
-    assert!((sun.azimuth.to_degrees() - 194.340241).abs() < 3e-4, "{sun:?}");
+    for (what, value, expected) in [
+        ("elevation", sun.elevation.to_degrees(), 39.872046),
+        ("azimuth", sun.azimuth.to_degrees(), 194.340241),
+    ] {
+        Row {
+            case: &format!("{what} of the sun over Golden, 17 October 2003"),
+            value,
+            expected,
+            unit: "°",
+            source: "Reda and Andreas, Solar Energy 76 (2004) 577, table A5.1",
+            tolerance: (3e-4, "what the algorithm promises"),
+        }
+        .holds(&PAGE);
+    }
 }
 
 #[test]
@@ -133,7 +148,7 @@ fn analytic_shade_takes_the_direct_sun() {
         let weather = Weather { sun: Sun { elevation, azimuth: 0.7 }, ..MORNING };
         let parameters = Parameters { exchange, train, ..base.clone() };
         let mut model = EnergyModel::new(parameters, &[1, 1], &weather, 0.0).unwrap();
-        let at = |place: f64| Wheel { speed: 0.0, friction_power: 0.0, ..wheel(place) };
+        let at = |position: f64| Wheel { speed: 0.0, friction_power: 0.0, ..wheel(position) };
         let standing = |_| vec![at(10.0), at(11.0)];
         run(&mut model, &weather, standing, 0.0, 60, 1.0);
         (model.heat_per_metre(100), model.heat_per_metre(10))
@@ -165,15 +180,22 @@ fn analytic_a_day_that_comes_again() {
         let mut model = EnergyModel::new(parameters, &[1], &air(start), start).unwrap();
         let wanted = 10.0 * (omega * start - lag.atan()).cos() / (1.0 + lag * lag).sqrt();
         let found = model.initial_temperature() - 290.0;
-        println!("{hour} h: {found:.4} K, lumped {wanted:.4} K");
-        assert!((found - wanted).abs() < 0.1, "{hour} h: {found} against {wanted}");
+        Row {
+            case: &format!("day that comes again: rail at {hour} h"),
+            value: found,
+            expected: wanted,
+            unit: "K",
+            source: "lumped rail in closed form",
+            tolerance: (0.1, "Biot number of 0.004, 1 %"),
+        }
+        .holds(&PAGE);
         let mut noticed = 0.0_f64;
         for step in 0..1440 {
             let begin = start + 60.0 * f64::from(step);
             model.step(&[], &air(begin + 30.0), begin, 60.0);
             noticed = noticed.max(model.rise(50, 2).abs());
         }
-        assert!(noticed > 9.0, "the day is felt: {noticed} K");
+        assert!(noticed > 9.0, "the day matters: {noticed} K");
         println!("a day later {:.1e} K, foot {:.1e} K", model.rise(50, 0), model.rise(50, 2));
         assert!(model.rise(50, 0).abs() < 0.01 && model.rise(50, 2).abs() < 0.01);
         assert!(model.ledger().error().abs() < 1e-9 * model.ledger().sources.moved().max(1e5));

@@ -1,5 +1,5 @@
 //! The section once more by a method that has nothing in common with the model's: rectangles that are wholly steel or
-//! wholly air, stepped explicitly. It is what the reference's own finite volumes are like (§4.2), and says
+//! wholly air, stepped explicitly. It is what the finite volumes of `docs/reference/section.md` are like, and says
 //! where its numbers come from.
 
 use railheat::contact::Material;
@@ -25,8 +25,8 @@ impl Staircase {
         let columns = 2 * (outline.half_width() / width).ceil() as usize;
         let rows = (outline.height() / height).round() as usize;
         let middle = |column: usize| (column as f64 + 0.5 - 0.5 * columns as f64) * width;
-        let is_steel = |place: usize| {
-            let (y, z) = (middle(place % columns), ((place / columns) as f64 + 0.5) * height);
+        let is_steel = |index: usize| {
+            let (y, z) = (middle(index % columns), ((index / columns) as f64 + 0.5) * height);
             let crossings = outline.sides().filter(|(a, b)| {
                 (a.z > z) != (b.z > z) && a.y + (z - a.z) / (b.z - a.z) * (b.y - a.y) > y
             });
@@ -37,7 +37,7 @@ impl Staircase {
         let mut rise = vec![0.0; steel.len()];
         let band: Vec<usize> = (0..columns).filter(|c| middle(*c).abs() < 0.015).collect();
         for column in &band {
-            let top = (0..rows).map(|row| row * columns + column).find(|place| steel[*place]);
+            let top = (0..rows).map(|row| row * columns + column).find(|index| steel[*index]);
             rise[top.unwrap()] = pieces as f64 / band.len() as f64;
         }
         Self { width, height, columns, rows, other: rise.clone(), rise, steel, now: 0.0 }
@@ -50,21 +50,21 @@ impl Staircase {
         let number = |size: f64| alpha * (time - self.now) / steps / (size * size);
         let (across, down) = (number(self.width), number(self.height));
         for _ in 0..steps as u64 {
-            for place in (0..self.steel.len()).filter(|place| self.steel[*place]) {
-                let (row, column) = (place / self.columns, place % self.columns);
-                let here = self.rise[place];
+            for index in (0..self.steel.len()).filter(|index| self.steel[*index]) {
+                let (row, column) = (index / self.columns, index % self.columns);
+                let here = self.rise[index];
                 let mut sum = 0.0;
                 for (is_inside, neighbour, number) in [
-                    (row > 0, place.wrapping_sub(self.columns), down),
-                    (row + 1 < self.rows, place + self.columns, down),
-                    (column > 0, place.wrapping_sub(1), across),
-                    (column + 1 < self.columns, place + 1, across),
+                    (row > 0, index.wrapping_sub(self.columns), down),
+                    (row + 1 < self.rows, index + self.columns, down),
+                    (column > 0, index.wrapping_sub(1), across),
+                    (column + 1 < self.columns, index + 1, across),
                 ] {
                     if is_inside && self.steel[neighbour] {
                         sum += number * (self.rise[neighbour] - here);
                     }
                 }
-                self.other[place] = here + sum;
+                self.other[index] = here + sum;
             }
             std::mem::swap(&mut self.rise, &mut self.other);
         }
@@ -73,10 +73,10 @@ impl Staircase {
 
     /// On the middle line, linear between the middles of rows.
     fn at(&self, depth: f64) -> f64 {
-        let place = (depth / self.height - 0.5).clamp(0.0, (self.rows - 1) as f64);
+        let index = (depth / self.height - 0.5).clamp(0.0, (self.rows - 1) as f64);
         let value = |row: usize| self.rise[row * self.columns + self.columns / 2];
-        let above = place as usize;
-        let share = place - above as f64;
+        let above = index as usize;
+        let share = index - above as f64;
         (1.0 - share) * value(above) + share * value((above + 1).min(self.rows - 1))
     }
 }
@@ -119,10 +119,10 @@ fn benchmark_section_against_stairs() {
     }
     for (step, time) in times.into_iter().enumerate() {
         let model = of_modes(&outline, 0.003, depths, time);
-        for (place, model) in model.into_iter().enumerate() {
-            let [coarse, middle, fine] = [0, 1, 2].map(|size: usize| found[size][step][place]);
+        for (index, model) in model.into_iter().enumerate() {
+            let [coarse, middle, fine] = [0, 1, 2].map(|size: usize| found[size][step][index]);
             let limit = 2.0 * fine - middle;
-            let depth = depths[place];
+            let depth = depths[index];
             println!(
                 "{time} s, {depth} m: stairs {coarse:.5} {middle:.5} {fine:.5} -> {limit:.5}, model {model:.5}"
             );
@@ -131,10 +131,10 @@ fn benchmark_section_against_stairs() {
     }
 }
 
-/// The reference's own table (§4.2, UIC60 outline, grid of 2 mm) is that of such squares, read in the row whose upper side is
+/// The table of `docs/reference/section.md` (UIC60 outline, squares of 2 mm) is that of such squares, read in the row whose upper side is
 /// at the depth named: its "60 mm deep" is 61 mm deep, its "mid web (z = 80)" stands 79 mm above the foot. Its outline
 /// is another than ours, by up to 1 mm in the fillets (rounded to mm), which makes the rest: the heat comes
-/// 9 % stronger to 60 mm at 30 s with ours, and 3 % at 100 s. The same squares on the reference's outline meet its rows
+/// 9 % stronger to 60 mm at 30 s with ours, and 3 % at 100 s. The same squares on that page's outline meet its rows
 /// within 2.5 % (docs/validation).
 #[test]
 fn benchmark_what_the_reference_read() {

@@ -1,13 +1,15 @@
 //! Exchange with the weather.
 
+use numerics::constants::ZERO_CELSIUS;
 use railheat::paper::{Level, Rail, RunningSurface};
 use railheat::weather::Weather;
 
+use validation::Row;
+
+use crate::PAGE;
 use crate::common::{exchange, grid};
 
-const ZERO_CELSIUS: f64 = 273.15;
-
-/// Reference §3.4: Table 4 of the paper with air of 15 to 50 °C, and with the unfiltered sun
+/// `docs/reference/conduction.md`: Table 4 of the paper with air of 15 to 50 °C, and with the unfiltered sun
 /// (five and four digits are given).
 #[test]
 fn analytic_weather_equilibrium() {
@@ -18,11 +20,21 @@ fn analytic_weather_equilibrium() {
         (50.0, 89.743, 123.17),
     ] {
         let weather = Weather { direct: 1366.0, ..Weather::still(air + ZERO_CELSIUS) };
-        let found = RunningSurface::PAPER.equilibrium(&weather) - ZERO_CELSIUS;
-        assert!((found - filtered).abs() < 6e-4, "{air} °C: {found} °C");
-        let clear = RunningSurface { filter: 1.0, ..RunningSurface::PAPER };
-        let found = clear.equilibrium(&weather) - ZERO_CELSIUS;
-        assert!((found - unfiltered).abs() < 6e-3, "{air} °C: {found} °C");
+        for (filter, expected, tolerance) in [
+            (0.5, filtered, (6e-4, "five digits are given")),
+            (1.0, unfiltered, (6e-3, "four or five digits are given")),
+        ] {
+            let surface = RunningSurface { filter, ..RunningSurface::PAPER };
+            Row {
+                case: &format!("paper's model in balance, air of {air} °C, filter {filter}"),
+                value: surface.equilibrium(&weather) - ZERO_CELSIUS,
+                expected,
+                unit: "°C",
+                source: "closed form, docs/reference/conduction.md",
+                tolerance,
+            }
+            .holds(&PAGE);
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! The start: quasi-static equilibrium at a place, a speed and given forces.
+//! The start: quasi-static equilibrium at a chainage, a speed and given forces.
 //!
 //! All bodies run at one speed and one acceleration along the track; all else is at rest in the
 //! moving frames. First the vehicle settles (`settle.rs`); then Newton's method (`newton.rs`) removes
@@ -10,14 +10,12 @@ mod settle;
 
 use nalgebra::Vector3;
 
-use self::newton::Search;
+use self::newton::{STEP, Search};
+use self::settle::SETTLING_TIME;
 use crate::dynamics::Dynamics;
-use crate::inputs::Inputs;
-use crate::rail::Deflection;
-use crate::wheelset::rolling;
-
-/// Step of the residual, s.
-const STEP: f64 = 1e-3;
+use crate::dynamics::inputs::Inputs;
+use crate::dynamics::wheelset::rolling;
+use crate::track::Deflection;
 
 /// Least speed in the search, m/s: slower, friction would hold the wheelsets anywhere.
 const LEAST_SPEED: f64 = 0.5;
@@ -25,11 +23,8 @@ const LEAST_SPEED: f64 = 0.5;
 /// Least speed while settling, m/s: a wheelset settles over some ten metres of track.
 const LEAST_SETTLING_SPEED: f64 = 10.0;
 
-/// From one speed to the next on the way down from the settling speed.
+/// Ratio of one speed to the one before, from the settling speed down.
 const SLOWING: f64 = 0.6;
-
-/// Time to settle before each search, s.
-const SETTLING_TIME: f64 = 1.0;
 
 /// Most searches at one speed.
 const ROUNDS: usize = 4;
@@ -59,7 +54,7 @@ impl Dynamics {
         let direction = 1.0_f64.copysign(velocity);
         let speed = velocity.abs().max(LEAST_SPEED) * direction;
         let settling_speed = velocity.abs().max(LEAST_SETTLING_SPEED) * direction;
-        self.place(position);
+        self.stand_at(position);
         self.enter_track(settling_speed, inputs);
         let mut at = settling_speed;
         let residual = loop {
@@ -105,8 +100,9 @@ impl Dynamics {
         self.state.account = Default::default();
     }
 
-    /// Lets elastic rails carry the wheels as they stand. The wheelsets sink with them, so that the
-    /// contacts stay as they are. Tells whether there was anything to do.
+    /// Lets elastic rails carry the wheels as they stand; whether the rails are elastic.
+    ///
+    /// The wheelsets sink with the rails, so that the contacts stay as they are.
     fn rest_rails(&mut self, inputs: &Inputs) -> bool {
         let Some(support) = self.line.support else {
             return false;
@@ -119,8 +115,8 @@ impl Dynamics {
         true
     }
 
-    /// Every body at its place on straight track.
-    fn place(&mut self, position: f64) {
+    /// Puts every body where it stands on straight track, the middle at `position`.
+    fn stand_at(&mut self, position: f64) {
         for (state, body) in self.state.bodies.iter_mut().zip(&self.structure.bodies) {
             *state = Default::default();
             state.position.x = position + body.along;
@@ -130,8 +126,9 @@ impl Dynamics {
         self.locate();
     }
 
-    /// All velocities as those of a vehicle that follows the track at `speed`; a wheelset keeps
-    /// its creepage.
+    /// Gives all bodies the velocities of a vehicle that follows the track at `speed`.
+    ///
+    /// Each wheelset keeps its creepage.
     fn set_speed(&mut self, speed: f64) {
         for data in &self.structure.wheelsets {
             let state = &mut self.state.bodies[data.body];
@@ -143,12 +140,12 @@ impl Dynamics {
         self.follow(speed);
     }
 
-    /// All velocities but the rotation of the wheels as those of a vehicle that follows the track.
+    /// Gives all bodies the velocities of a vehicle that follows the track; wheels keep their rotation.
     fn follow(&mut self, speed: f64) {
-        let bodies = self.structure.bodies.iter().zip(&self.frames);
+        let bodies = self.structure.bodies.iter().zip(&self.scratch.frames);
         for (state, (body, frame)) in self.state.bodies.iter_mut().zip(bodies) {
             let turning = frame.rotation * speed;
-            let [aside, below] = state.place(body);
+            let [aside, below] = state.offset(body);
             let turns = state.angular_velocity.y;
             let along = speed * state.lengthening(body, frame);
             state.velocity = Vector3::new(along, -turning.x * below, turning.x * aside);

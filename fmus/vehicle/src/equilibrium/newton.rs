@@ -2,9 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::STEP;
 use crate::dynamics::Dynamics;
-use crate::inputs::Inputs;
+use crate::dynamics::inputs::Inputs;
+
+/// Step of the residual, s.
+pub(super) const STEP: f64 = 1e-3;
 
 /// Largest acceleration left over at which the search ends, m/s² or rad/s².
 const TOLERANCE: f64 = 1e-7;
@@ -17,7 +19,7 @@ const DIFFERENCES: (f64, f64) = (1e-8, 1e-7);
 
 /// A search for the equilibrium at a speed.
 ///
-/// Unknowns are the coordinates of all bodies, with the rotation of a wheelset in place of its
+/// Unknowns are the coordinates of all bodies, with the rotation of a wheelset instead of its
 /// pitch, but without the first body's chainage; equations are the accelerations of all bodies
 /// against the first one's along the track.
 pub(super) struct Search<'a> {
@@ -31,7 +33,7 @@ impl<'a> Search<'a> {
     /// A search from the present state.
     pub fn new(dynamics: &'a mut Dynamics, speed: f64, inputs: &'a Inputs) -> Self {
         // Dampers with stiffness in series take their steady force at once.
-        dynamics.decay.fill(0.0);
+        dynamics.scratch.decay.fill(0.0);
         dynamics.set_speed(speed);
         let mut search = Self { unknowns: DVector::zeros(0), dynamics, inputs, speed };
         search.unknowns = search.read();
@@ -64,9 +66,10 @@ impl<'a> Search<'a> {
         residual.amax()
     }
 
-    /// Goes along the step until the next step, estimated with the same Jacobian, is shorter; gives
-    /// the residual there. (Accelerations themselves say little: contacts are stiff and soft
-    /// directions count as much.)
+    /// Goes along the step until the next step is shorter; gives the residual there.
+    ///
+    /// The next step is estimated with the same Jacobian. Accelerations themselves say little: contacts
+    /// are stiff, and soft directions count as much.
     fn search_line(
         &mut self,
         step: &DVector<f64>,

@@ -7,11 +7,13 @@
 
 use track::TrackPoint;
 
-use super::SETTLING_TIME;
+use crate::body::Frame;
 use crate::dynamics::Dynamics;
-use crate::frame::Frame;
-use crate::inputs::Inputs;
-use crate::wheelset::rolling;
+use crate::dynamics::inputs::Inputs;
+use crate::dynamics::wheelset::rolling;
+
+/// Time to settle before each search, s.
+pub(super) const SETTLING_TIME: f64 = 1.0;
 
 /// Damping of all motion against the track while settling, 1/s.
 const SETTLING_DAMPING: f64 = 8.0;
@@ -34,7 +36,7 @@ impl Dynamics {
     /// driven near the limit of adhesion at this speed, wheels would spin before a lower one is tried.
     pub(super) fn enter_track(&mut self, speed: f64, inputs: &Inputs) {
         let inputs = &Inputs { traction: 0.0, brake: 0.0, ..*inputs };
-        let track: Vec<TrackPoint> = self.frames.iter().map(|frame| frame.track).collect();
+        let track: Vec<TrackPoint> = self.scratch.frames.iter().map(|frame| frame.track).collect();
         self.flatten(&track, 0.0);
         self.set_speed(speed);
         for n in 1..=ENTERING_STEPS {
@@ -65,7 +67,7 @@ impl Dynamics {
         let first = track[0];
         let start = self.state.bodies[0].position.x;
         let bodies = self.state.bodies.iter().zip(track);
-        for (frame, (state, full)) in self.frames.iter_mut().zip(bodies) {
+        for (frame, (state, full)) in self.scratch.frames.iter_mut().zip(bodies) {
             let straight = first.heading_integral + (state.position.x - start) * first.heading;
             *frame = Frame::new(TrackPoint {
                 curvature: share * full.curvature,
@@ -93,7 +95,7 @@ impl Dynamics {
     fn brake_motion(&mut self, speed: f64, step: f64) {
         let lost = 1.0 - (-SETTLING_DAMPING * step).exp();
         let lost_upright = 1.0 - (-UPRIGHT_DAMPING * step).exp();
-        let bodies = self.structure.bodies.iter().zip(&self.frames);
+        let bodies = self.structure.bodies.iter().zip(&self.scratch.frames);
         for (state, (body, frame)) in self.state.bodies.iter_mut().zip(bodies) {
             let mut rates = state.rates(body, frame);
             rates.position.x -= speed;

@@ -15,7 +15,7 @@ const SWEEPS: usize = 3;
 /// Share of an eigenvalue by which the shift of the inverse iteration misses it.
 const MISS: f64 = 1e-9;
 
-/// Circular frequency by which places are scaled, rad/s.
+/// Circular frequency by which displacements are scaled, rad/s.
 const UNIT: f64 = 50.0;
 
 /// Frequency, rad/s, below which a mode is that of a body that nothing holds.
@@ -26,8 +26,9 @@ const FREE: f64 = 1e-3;
 pub struct Mode {
     /// Eigenvalue, 1/s; the imaginary part is not negative.
     pub eigenvalue: Complex<f64>,
-    /// Displacement and rotation of each body in turn, m and rad, for one joule of kinetic energy
-    /// at its greatest; its largest component has no phase.
+    /// Displacement and rotation of each body in turn, m and rad.
+    ///
+    /// For one joule of kinetic energy at its greatest; the largest component has no phase.
     pub shape: DVector<Complex<f64>>,
     /// Share of each coordinate in the kinetic energy.
     pub energy: DVector<f64>,
@@ -74,13 +75,13 @@ impl System {
         let (size, extra) = (self.inertia.len(), self.series.len());
         let (stiffness, damping) = (self.scaled(&self.stiffness), self.scaled(&self.damping));
         let held: Vec<usize> = (0..size).filter(|&j| stiffness.column(j).amax() > 0.0).collect();
-        let places = size + extra;
-        let mut matrix = DMatrix::zeros(places + held.len(), places + held.len());
+        let first = size + extra;
+        let mut matrix = DMatrix::zeros(first + held.len(), first + held.len());
         matrix.view_mut((0, 0), (size, size)).copy_from(&-damping);
         for (i, &j) in held.iter().enumerate() {
-            // Places are scaled so that both couplings are alike.
-            matrix.view_mut((0, places + i), (size, 1)).copy_from(&(-stiffness.column(j) / UNIT));
-            matrix[(places + i, j)] = UNIT;
+            // Displacements are scaled so that both couplings are alike.
+            matrix.view_mut((0, first + i), (size, 1)).copy_from(&(-stiffness.column(j) / UNIT));
+            matrix[(first + i, j)] = UNIT;
         }
         for (i, series) in self.series.iter().enumerate() {
             let at = size + i;
@@ -111,11 +112,11 @@ impl System {
         }
         let motion = vector.rows(0, self.inertia.len());
         let energy = motion.map(|value| value.norm_sqr()) / motion.norm_squared();
-        let place = motion.map(|speed| speed / eigenvalue);
-        let largest = place[place.icamax()];
+        let displacement = motion.map(|speed| speed / eigenvalue);
+        let largest = displacement[displacement.icamax()];
         let turn = largest.conj() / largest.norm() * (2.0_f64.sqrt() / motion.norm());
         let inertia = &self.inertia;
-        let shape = place.map_with_location(|i, _, value| value * turn / inertia[i].sqrt());
+        let shape = displacement.map_with_location(|i, _, value| value * turn / inertia[i].sqrt());
         Mode { eigenvalue, shape, energy }
     }
 }

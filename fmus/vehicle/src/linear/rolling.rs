@@ -1,10 +1,9 @@
-//! The linear system of a vehicle that rolls on straight rails, and the speed at which it becomes
-//! unstable.
+//! The linear system of a vehicle on straight rails, and the speed at which it becomes unstable.
 //!
 //! For the wheel on side s = ±1 of a wheelset, with the half distance e of the contacts, radius r,
 //! conicity λ and Kalker's coefficients f11, f22 (eq. 35):
 //!
-//!   longitudinal creepage  (dx/dt + r dθ/dt - s e dψ/dt)/V - s λ y/r,   force -f11 times that
+//!   longitudinal creepage  s λ y/r - (dx/dt + r dθ/dt - s e dψ/dt)/V,   force f11 times that
 //!   lateral creepage       (dy/dt - r dφ/dt)/V - ψ,                     force -f22 times that
 //!
 //! and a vertical spring with damping. Without gravity stiffness, spin and gyroscopic moments.
@@ -27,8 +26,10 @@ const GROWING: f64 = 0.01;
 /// for a heavy locomotive.
 const HOLDING: f64 = 1e4;
 
-/// Steps of the search for the first unstable speed, m/s; a range of speeds that is narrower, such as that
-/// of a body that sways with its wheelsets, may be missed.
+/// Steps of the search for the first unstable speed, m/s.
+///
+/// A narrower range of unstable speeds, such as that of a body that sways with its wheelsets, may be
+/// missed.
 const SEARCH_STEP: f64 = 4.0;
 
 /// How exactly the speed is found, m/s.

@@ -1,5 +1,6 @@
-//! The linear system M d²q/dt² + C dq/dt + K q + Σ b f = 0, where f of a damper with the stiffness
-//! k in series follows df/dt = k (bᵀ dq/dt - f/c).
+//! The linear system M d²q/dt² + C dq/dt + K q + Σ b f = 0.
+//!
+//! A damper c with the stiffness k in series has the force f with df/dt = k (bᵀ dq/dt - f/c).
 
 use nalgebra::{DMatrix, DVector, Matrix3x6, Vector3};
 
@@ -56,7 +57,7 @@ impl Ends {
     }
 
     /// The second end by `line` from the first one.
-    fn apart(mut self, line: &Vector3<f64>) -> Self {
+    fn with_line(mut self, line: &Vector3<f64>) -> Self {
         self.arms[1] += line;
         self
     }
@@ -135,7 +136,7 @@ impl System {
             );
         }
         for rod in &suspension.rods {
-            let ends = Ends::new(suspension, &rod.at).apart(&rod.line);
+            let ends = Ends::new(suspension, &rod.at).with_line(&rod.line);
             let row = self.row(&ends, &rod.line.normalize());
             self.stiffness += rod.stiffness * &row * row.transpose();
             self.damping += rod.damping * &row * row.transpose();
@@ -242,8 +243,8 @@ impl System {
             for (i, side) in [-1.0, 1.0].into_iter().enumerate() {
                 for (j, other) in [-1.0, 1.0].into_iter().enumerate() {
                     let block = side * other * jacobians[i].transpose() * diagonal * jacobians[j];
-                    let place = (COORDINATES * bodies[i], COORDINATES * bodies[j]);
-                    let mut view = matrix.view_mut(place, (COORDINATES, COORDINATES));
+                    let corner = (COORDINATES * bodies[i], COORDINATES * bodies[j]);
+                    let mut view = matrix.view_mut(corner, (COORDINATES, COORDINATES));
                     view += block;
                 }
             }

@@ -7,7 +7,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::grip::Grip;
 use super::pair::{Between, Point};
 
@@ -41,8 +41,7 @@ impl CentrePlate {
         RIM.map(|[x, y]| Vector3::new(self.radius * x, self.radius * y, 0.0))
     }
 
-    /// Brings the friction moment on the bolster (the first of `moment`) to the end of the step and
-    /// adds all forces.
+    /// Brings the friction moment on the bolster (`moment[0]`) to the end of the step and adds all forces.
     #[inline]
     pub fn apply(
         &self,

@@ -4,7 +4,7 @@
 //! in series (Maxwell): dF/dt = -k (v + F/c), bounded (eq. 14), solved exactly over a step in which
 //! the rate v is constant: F -> -c v + (F + c v) exp(-k h/c).
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::pair::{Between, Point};
 use nalgebra::Vector3;
 

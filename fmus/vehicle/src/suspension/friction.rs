@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::grip::Grip;
 use super::pair::{Between, Point};
 

@@ -4,7 +4,7 @@
 //! slide (Jenkins' element, in one or two directions; eq. 30). Over a step it is solved by
 //! returning the elastic trial force to the limit, which is stable for any rate of sliding.
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 
 /// An elastic grip.
 #[derive(Clone, Copy, Debug)]

@@ -3,6 +3,7 @@
 //! | file | element |
 //! |---|---|
 //! | `pair.rs` | what all have in common: two bodies, a point, stretch and rate |
+//! | `energy.rs` | energy that elements store and turn into heat |
 //! | `spring.rs` | spring with parallel damping and static load |
 //! | `damper.rs` | hydraulic damper, rigid or with stiffness in series, with blow-off |
 //! | `stop.rs` | stop with free play |
@@ -14,11 +15,10 @@
 //! | `wedge.rs` | friction wedge |
 //! | `centre_plate.rs` | centre plate |
 //! | `side_bearer.rs` | constant-contact side bearer |
-//! | `compile.rs` | from the vehicle file to these |
 
 pub mod centre_plate;
-pub(crate) mod compile;
 pub mod damper;
+pub mod energy;
 pub mod friction;
 pub mod grip;
 pub mod pair;
@@ -35,6 +35,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::{Seen, Wrench};
 use centre_plate::CentrePlate;
 use damper::Damper;
+use energy::ElementEnergy;
 use friction::Friction;
 use pair::{Between, Pair};
 use rod::Rod;
@@ -82,15 +83,6 @@ pub struct ElementState {
     pub friction: Vec<[f64; 2]>,
 }
 
-/// Energy in the elements.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ElementEnergy {
-    /// Stored in springs, stops, grips and series stiffnesses, J.
-    pub stored: f64,
-    /// Power turned into heat, W.
-    pub dissipated: f64,
-}
-
 impl Suspension {
     /// The memory of elements at rest without friction forces.
     pub fn at_rest(&self) -> ElementState {
@@ -106,8 +98,9 @@ impl Suspension {
         self.pairs.iter().map(|pair| pair.between(seen))
     }
 
-    /// Adds the forces of all elements to what passes `between` the pairs, and brings their memory to
-    /// the end of the step; `decay` holds for it and the dampers with stiffness in series.
+    /// Adds the forces of all elements to those `between` the pairs; gives the elements' energy.
+    ///
+    /// Their memory comes to the end of the step, for which each damper's `decay` holds.
     pub fn apply(
         &self,
         between: &mut [Between],

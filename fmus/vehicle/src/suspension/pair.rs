@@ -1,8 +1,8 @@
 //! Two bodies that elements join: how they move against each other, and what passes between them.
 //!
 //! All elements between two bodies share most of equations 10 and 11. With the arm r of an element's
-//! point from the first body's centre of mass, the way c from the second one's to the first one's at
-//! rest, the way s from the first one's to the second one's now, and differences Δ second less first:
+//! point from the first body's centre of mass, the arm c from the second one's to the first one's at
+//! rest, the arm s from the first one's to the second one's now, and differences Δ second less first:
 //!
 //! ```text
 //! ū = (Δd + θ₂ × c) + Δθ × r     m = r + θ₁ × r + ū/2     w = (Δv - ω₂ × s) + Δω × m
@@ -33,8 +33,7 @@ pub struct Point {
     pub arm: Vector3<f64>,
 }
 
-/// How the bodies of a pair move against each other, second less first, and what elements between
-/// them do to the second one.
+/// Motion of a pair's second body against the first, and what their elements do to the second.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Between {
     /// Displacement of the second body against the first at the first one's centre of mass, m.
@@ -50,7 +49,7 @@ pub struct Between {
     /// Rotation of the elements' axes: mean of both bodies, rad.
     tilt: Vector3<f64>,
     /// From the first body's centre of mass to the second one's, m.
-    way: Vector3<f64>,
+    arm_to_second: Vector3<f64>,
     /// Force of the elements on the second body, N.
     pub force: Vector3<f64>,
     /// Moment of the elements on the second body about the first one's centre of mass, N m.
@@ -74,15 +73,17 @@ impl Pair {
     pub fn between(&self, seen: &[Seen]) -> Between {
         let [first, second] = self.bodies.map(|body| &seen[body]);
         let displaced = second.displacement - first.displacement;
-        let way = displaced - self.offset;
+        let arm_to_second = displaced - self.offset;
         Between {
             displacement: displaced + second.rotation.cross(&self.offset),
             rotation: first.rotation,
             turned: second.rotation - first.rotation,
-            velocity: second.velocity - first.velocity - second.angular_velocity.cross(&way),
+            velocity: second.velocity
+                - first.velocity
+                - second.angular_velocity.cross(&arm_to_second),
             turning: second.angular_velocity - first.angular_velocity,
             tilt: 0.5 * (first.rotation + second.rotation),
-            way,
+            arm_to_second,
             ..Between::default()
         }
     }
@@ -90,46 +91,49 @@ impl Pair {
     /// Adds to both bodies what passes between them.
     #[inline]
     pub fn pass_on(&self, between: &Between, wrenches: &mut [Wrench]) {
-        let Between { force, moment, way, .. } = between;
+        let Between { force, moment, arm_to_second, .. } = between;
         let first = &mut wrenches[self.bodies[0]];
         first.force -= force;
         first.moment -= moment;
         let second = &mut wrenches[self.bodies[1]];
         second.force += force;
-        second.moment += moment - way.cross(force);
+        second.moment += moment - arm_to_second.cross(force);
     }
 }
 
 impl Between {
     /// Displacement of the second body against the first at this arm, m: ū of equation 10.
     #[inline(always)]
-    pub fn apart(&self, arm: &Vector3<f64>) -> Vector3<f64> {
+    pub fn displacement_at(&self, arm: &Vector3<f64>) -> Vector3<f64> {
         self.displacement + self.turned.cross(arm)
     }
 
-    /// How an element at this arm is stretched. (Compiled into each kind of element, which leaves out
-    /// what it does not ask for.)
+    /// How an element at this arm is stretched.
+    ///
+    /// It is compiled into each kind of element, so that what an element does not need costs nothing.
     #[inline(always)]
     pub fn stretch(&self, arm: &Vector3<f64>) -> Stretch {
-        let apart = self.apart(arm);
-        let middle = arm + self.rotation.cross(arm) + 0.5 * apart;
+        let displaced = self.displacement_at(arm);
+        let middle = arm + self.rotation.cross(arm) + 0.5 * displaced;
         let rate = self.velocity + self.turning.cross(&middle);
         Stretch {
-            length: apart - self.tilt.cross(&apart),
+            length: displaced - self.tilt.cross(&displaced),
             rate: rate - self.tilt.cross(&rate),
             middle,
         }
     }
 
-    /// Lets `force`, given in the element's axes, act on the second body and its opposite on the
-    /// first, both at the middle of the stretched element, so that no moment is lost.
+    /// Applies `force`, in the element's axes, to the second body and its opposite to the first.
+    ///
+    /// Both act at the middle of the stretched element, so that no moment is lost.
     #[inline(always)]
     pub fn push(&mut self, stretch: &Stretch, force: &Vector3<f64>) {
         self.push_at(&stretch.middle, &(force + self.tilt.cross(force)));
     }
 
-    /// Lets `force`, in the common frame, act on the second body at this arm from the first one's
-    /// centre of mass, and its opposite on the first.
+    /// Applies `force`, in the common frame, to the second body and its opposite to the first.
+    ///
+    /// Both act at this arm from the first body's centre of mass.
     #[inline]
     pub fn push_at(&mut self, arm: &Vector3<f64>, force: &Vector3<f64>) {
         self.force += force;
@@ -139,7 +143,7 @@ impl Between {
 
 #[cfg(test)]
 impl Pair {
-    /// The bodies 0 and 1, whose centres of mass lie at one place at rest.
+    /// The bodies 0 and 1, whose centres of mass coincide at rest.
     pub(super) const TEST: Self = Self { bodies: [0, 1], offset: Vector3::new(0.0, 0.0, 0.0) };
 }
 
@@ -179,15 +183,15 @@ mod tests {
         let seen = moved();
         let arms = [ARM, ARM + PAIR.offset];
         let turned = [0, 1].map(|i| arms[i] + seen[i].rotation.cross(&arms[i]));
-        let apart = seen[1].displacement - seen[0].displacement + (turned[1] - arms[1])
+        let displaced = seen[1].displacement - seen[0].displacement + (turned[1] - arms[1])
             - (turned[0] - arms[0]);
-        let middle = [turned[0] + 0.5 * apart, turned[1] - 0.5 * apart];
+        let middle = [turned[0] + 0.5 * displaced, turned[1] - 0.5 * displaced];
         let moving = [0, 1].map(|i| seen[i].velocity + seen[i].angular_velocity.cross(&middle[i]));
         let rate = moving[1] - moving[0];
         let tilt = 0.5 * (seen[0].rotation + seen[1].rotation);
 
         let stretch = PAIR.between(&seen).stretch(&ARM);
-        assert!((stretch.length - (apart - tilt.cross(&apart))).norm() < 1e-15);
+        assert!((stretch.length - (displaced - tilt.cross(&displaced))).norm() < 1e-15);
         assert!((stretch.rate - (rate - tilt.cross(&rate))).norm() < 1e-15);
     }
 
@@ -217,8 +221,9 @@ mod tests {
         between.push(&stretch, &Vector3::new(1e3, 2e3, 1e5));
         let mut wrenches = [Wrench::default(); 2];
         PAIR.pass_on(&between, &mut wrenches);
-        let way = seen[1].displacement - seen[0].displacement - PAIR.offset;
-        let moment = wrenches[0].moment + wrenches[1].moment + way.cross(&wrenches[1].force);
+        let arm_to_second = seen[1].displacement - seen[0].displacement - PAIR.offset;
+        let moment =
+            wrenches[0].moment + wrenches[1].moment + arm_to_second.cross(&wrenches[1].force);
         assert!((wrenches[0].force + wrenches[1].force).norm() < 1e-9);
         assert!(moment.norm() < 1e-9);
     }

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::pair::Between;
 
 /// A spring between the rotations of two bodies.
@@ -29,5 +29,35 @@ impl RotationalSpring {
         between.moment += self.preload - elastic - viscous;
         energy.stored += turned.dot(&(0.5 * elastic - self.preload));
         energy.dissipated += rate.dot(&viscous);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::Seen;
+    use crate::suspension::pair::Pair;
+
+    /// An anti-roll bar of 940 kN m/rad and 10 kN m s/rad, rolled by 10 mrad at 0.1 rad/s: 9.4 kN m and
+    /// 1 kN m back, 47 J in it and 100 W of heat; other axes are free.
+    #[test]
+    fn analytic_an_anti_roll_bar_turns_back() {
+        let along = |value: f64| Vector3::new(value, 0.0, 0.0);
+        let bar = RotationalSpring {
+            pair: 0,
+            stiffness: along(940e3),
+            damping: along(10e3),
+            preload: Vector3::zeros(),
+        };
+        let rolled = Seen {
+            rotation: Vector3::new(0.01, 0.02, 0.03),
+            angular_velocity: Vector3::new(0.1, 0.2, 0.3),
+            ..Seen::default()
+        };
+        let mut between = Pair::TEST.between(&[Seen::default(), rolled]);
+        let mut energy = ElementEnergy::default();
+        bar.apply(&mut between, &mut energy);
+        assert!((between.moment - along(-9.4e3 - 1e3)).norm() < 1e-9);
+        assert!((energy.stored - 47.0).abs() < 1e-9 && (energy.dissipated - 100.0).abs() < 1e-9);
     }
 }

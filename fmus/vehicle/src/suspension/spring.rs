@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::pair::{Between, Point};
 
 /// A spring without length between two bodies, with its own stiffness and damping in x, y, z.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::pair::{Between, Point};
 
 /// A stop that acts in one direction to both sides.

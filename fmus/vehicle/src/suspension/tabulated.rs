@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::pair::{Between, Point};
 
 /// A spring that acts in one direction.
@@ -45,8 +45,9 @@ impl TabulatedSpring {
     fn force_and_energy(&self, u: f64) -> (f64, f64) {
         let (i, slope) = self.piece(u);
         let [from, force] = self.points[i];
-        let way = u - from;
-        (force + slope * way, self.energies[i] + way * (force + 0.5 * slope * way) - self.zero)
+        let beyond = u - from;
+        let energy = self.energies[i] + beyond * (force + 0.5 * slope * beyond);
+        (force + slope * beyond, energy - self.zero)
     }
 
     /// The piece in which `u` lies, the outermost beyond the ends, and its slope.

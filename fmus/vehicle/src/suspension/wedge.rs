@@ -13,7 +13,7 @@
 
 use nalgebra::Vector3;
 
-use super::ElementEnergy;
+use super::energy::ElementEnergy;
 use super::grip::{Grip, magnitude};
 use super::pair::{Between, Point};
 
@@ -70,7 +70,7 @@ mod tests {
     use crate::body::Seen;
     use crate::suspension::pair::Pair;
 
-    /// Force on the side frame after the bolster went a long way down or up again.
+    /// Force on the side frame after the bolster went far down or up again.
     fn vertical(speed: f64) -> f64 {
         let wedge = Wedge {
             at: Point::TEST,

@@ -4,8 +4,8 @@
 use std::path::{Path, PathBuf};
 
 use vehicle::dynamics::Dynamics;
-use vehicle::inputs::Inputs;
-use vehicle::line::Line;
+use vehicle::dynamics::inputs::Inputs;
+use vehicle::track::Line;
 
 use crate::common::*;
 

@@ -4,12 +4,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use track::TrackFile;
+pub use validation::{Page, Row};
 use vehicle::dynamics::Dynamics;
-use vehicle::inputs::Inputs;
-use vehicle::line::Line;
+use vehicle::dynamics::inputs::Inputs;
 use vehicle::structure::{Structure, WheelsetData};
+use vehicle::track::Line;
 
-/// Friction coefficient of the reference set.
+/// Friction coefficient of the locomotive's file.
 pub const FRICTION: f64 = 0.36;
 
 /// Every vehicle with a multibody section of its own.
@@ -38,7 +39,7 @@ pub const SUPPORT: &str = "[support]
     vertical_stiffness_n_m = 60e6
     vertical_damping_n_s_m = 100e3";
 
-/// The reference set.
+/// The locomotive, whose linear behaviour docs/reference/locomotive.md has.
 pub fn locomotive() -> Arc<Structure> {
     from_stock("locomotive-coco-134t")
 }
@@ -157,6 +158,16 @@ pub fn rolling(data: &WheelsetData) -> (f64, f64) {
 pub fn half_rail_distance(data: &WheelsetData) -> f64 {
     data.table.pair().rail_top()
 }
+
+/// The page that has the table of all comparisons with numbers.
+pub const PAGE: Page = Page {
+    path: "docs/validation/vehicle.md",
+    text: include_str!("../../../../docs/validation/vehicle.md"),
+};
+
+/// Source of what was computed for the locomotive besides this model.
+pub const LINEAR_PROGRAM: &str =
+    "separate linear program, [locomotive](../reference/locomotive.md)";
 
 /// Within a relative tolerance.
 #[track_caller]

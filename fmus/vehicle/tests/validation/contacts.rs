@@ -1,8 +1,8 @@
 //! Several contacts a wheel, and wheels off their rails.
 
 use crate::common::*;
-use vehicle::inputs::Inputs;
-use vehicle::wheel::Standing;
+use vehicle::contact::Standing;
+use vehicle::dynamics::inputs::Inputs;
 
 /// In curves of 250 to 500 m wheels stand on two contacts at once. What a wheel shows is the sum of its
 /// contacts in force and power, and lies between them in creepage. Rounding.
@@ -19,11 +19,11 @@ fn property_tread_and_flange_share_the_load() {
         let mut vehicle = started(locomotive(), &curve, 10.0, &inputs);
         run(&mut vehicle, 9.0, &inputs);
         for wheel in vehicle.wheels.iter().flatten() {
-            let normal: f64 = wheel.patches.iter().map(|patch| patch.normal).sum();
-            assert_close(normal, wheel.total.normal, 1e-12);
+            let normal: f64 = wheel.patches.iter().map(|patch| patch.force.normal).sum();
+            assert_close(normal, wheel.total.force.normal, 1e-12);
             let power: f64 = wheel.patches.iter().map(|patch| patch.friction_power).sum();
             assert!((power - wheel.total.friction_power).abs() <= 1e-12 * power.abs());
-            let loaded = wheel.patches.iter().filter(|patch| patch.normal > 1e3);
+            let loaded = wheel.patches.iter().filter(|patch| patch.force.normal > 1e3);
             let creepages = loaded.map(|patch| patch.creepages.longitudinal);
             let creepages: Vec<f64> = creepages.collect();
             if creepages.len() > 1 {
@@ -53,7 +53,9 @@ fn property_a_wheel_off_its_rail_is_told_and_the_step_goes_on() {
         run(&mut vehicle, 0.5, &inputs);
         for wheel in vehicle.wheels.iter().flatten() {
             assert!(
-                (wheel.total.normal + wheel.total.friction_power + wheel.total.rail_lateral)
+                (wheel.total.force.normal
+                    + wheel.total.friction_power
+                    + wheel.total.ellipse.lateral_position)
                     .is_finite()
             );
         }

@@ -1,10 +1,10 @@
 //! Manchester contact benchmark A-2.2 (Shackleton and Iwnicki 2006) with the wheels of the vehicle:
-//! creepages, normal forces and friction power of CONTACT (2025-07-23), from reference 2.3.
+//! creepages, normal forces and friction power of CONTACT (2025-07-23), in its case A-2.2 (docs/reference/contact.md).
 //!
 //! A wheelset of S1002 on UIC60 at 1:40 is held at a displacement and a yaw of 2.4 mrad for each mm and
 //! pulled along at 2 m/s. Its height and roll are those at which each wheel has 10 kN vertically, its
 //! rotation is the one at which the creep forces have no moment about the axle. CONTACT's creepages are
-//! rail minus wheel: the sign changes here.
+//! rail less wheel: positive in traction along the track, and of the other sign than ours across it.
 
 use contact::{
     CreepLaw, FallingFriction, GeometryTable, ModifiedFastsim, ProfilePair, RailProfile, Reduction,
@@ -12,9 +12,8 @@ use contact::{
 };
 use std::sync::Arc;
 use vehicle::body::BodyState;
-use vehicle::patch::{Patch, WheelMotion};
-use vehicle::six::Six;
-use vehicle::wheel::{Side, Wheel, WheelData};
+use vehicle::contact::six::Six;
+use vehicle::contact::{Patch, Side, Wheel, WheelData, WheelMotion};
 
 const SPEED: f64 = 2.0;
 const WHEEL_LOAD: f64 = 10e3;
@@ -153,8 +152,9 @@ impl Wheelset {
     /// Vertical force of both rails, N.
     fn vertical(&self, placement: &Placement) -> [f64; 2] {
         self.wheels(placement).map(|wheel| {
-            let upwards =
-                |patch: &Patch| patch.rows.upwards(patch.forces.creep.lateral, patch.forces.normal);
+            let upwards = |patch: &Patch| {
+                patch.rows.upwards(patch.forces.creep.force.lateral, patch.forces.normal)
+            };
             wheel.patches().iter().map(upwards).sum()
         })
     }
@@ -221,9 +221,9 @@ fn creepages(wheel: &Wheel, placement: &Placement) -> [f64; 3] {
     let heavier = |a: &&Patch, b: &&Patch| a.forces.normal.total_cmp(&b.forces.normal);
     let patch = wheel.patches().iter().max_by(heavier).unwrap();
     let slip = patch.rows.motion(&velocities(placement)).slip;
-    let mean_speed = SPEED - 0.5 * slip.longitudinal;
+    let mean_speed = SPEED + 0.5 * slip.longitudinal;
     let [xi, eta, phi] =
-        [slip.longitudinal, slip.lateral, slip.spin].map(|slip| -slip / mean_speed);
+        [slip.longitudinal, -slip.lateral, -slip.spin].map(|slip| slip / mean_speed);
     let (sine, cosine) = (placement.state.rotation.z * patch.angle().cos()).sin_cos();
     [xi * cosine - eta * sine, xi * sine + eta * cosine, phi]
 }

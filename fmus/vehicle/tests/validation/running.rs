@@ -3,7 +3,7 @@
 
 use crate::common::*;
 use vehicle::dynamics::Dynamics;
-use vehicle::inputs::Inputs;
+use vehicle::dynamics::inputs::Inputs;
 
 /// Twelve longitudinal creep forces carry the traction: on straight track they differ from it by
 /// the vehicle's own acceleration force only, so 1 % is ample.
@@ -12,8 +12,17 @@ fn analytic_creep_forces_carry_the_traction() {
     let inputs = Inputs { traction: 200e3, rear_coupler: 200e3, ..Inputs::none(FRICTION) };
     let mut vehicle = started(locomotive(), "", 16.67, &inputs);
     run(&mut vehicle, 5.0, &inputs);
-    let sum: f64 = vehicle.wheels.iter().flatten().map(|wheel| wheel.total.longitudinal).sum();
-    assert_close(sum, 200e3, 1e-2);
+    let sum: f64 =
+        vehicle.wheels.iter().flatten().map(|wheel| wheel.total.force.longitudinal).sum();
+    Row {
+        case: "locomotive, 12 creep forces at 200 kN of traction",
+        value: sum / 1e3,
+        expected: 200.0,
+        unit: "kN",
+        source: "Newton's second law",
+        tolerance: (2.0, "the vehicle's own acceleration"),
+    }
+    .holds(&PAGE);
 }
 
 /// In a level curve of 800 m the rails give all bodies their centripetal force m v²/R, here to
@@ -29,10 +38,18 @@ fn analytic_guiding_forces_balance_the_centrifugal_force() {
         .zip(&vehicle.structure.wheelsets)
         .flat_map(|(wheels, data)| {
             let yaw = vehicle.state.bodies[data.body].rotation.z;
-            wheels.iter().map(move |wheel| wheel.guiding + yaw * wheel.total.longitudinal)
+            wheels.iter().map(move |wheel| wheel.guiding + yaw * wheel.total.force.longitudinal)
         })
         .sum();
-    assert_close(lateral, 134e3 * vehicle.velocity().powi(2) / 800.0, 1e-3);
+    Row {
+        case: "locomotive, R 800 m, lateral forces over m v²/R",
+        value: lateral / (134e3 * vehicle.velocity().powi(2) / 800.0),
+        expected: 1.0,
+        unit: "1",
+        source: "Newton's second law",
+        tolerance: (1e-3, "first order in the yaw angles"),
+    }
+    .holds(&PAGE);
 }
 
 /// Moments about the track's tangent at the vehicle's middle in the same curve: the wheels hold
@@ -57,7 +74,7 @@ fn analytic_wheel_loads_balance_the_overturning_moment() {
     let (mut held, mut possible) = (0.0, 0.0);
     for (wheels, data) in vehicle.wheels.iter().zip(&structure.wheelsets) {
         for (wheel, sign) in wheels.iter().zip([-1.0, 1.0]) {
-            let head = sign * (half_rail_distance(data) + wheel.total.rail_lateral);
+            let head = sign * (half_rail_distance(data) + wheel.total.ellipse.lateral_position);
             held -= wheel.vertical * (head + inside(data.body));
             possible += wheel.vertical * data.wheel.half_distance;
         }
@@ -89,7 +106,15 @@ fn analytic_klingel_wavelength() {
     assert_eq!(crossings.len(), 5, "the wheelset does not oscillate");
     let (radius, half) = rolling(&vehicle.structure.wheelsets[0]);
     let expected = std::f64::consts::TAU * (radius * half / CONICITY).sqrt();
-    assert_close((crossings[4] - crossings[0]) / 2.0, expected, 5e-3);
+    Row {
+        case: "free wheelsets, cones 1:20, wavelength over 2π√(r₀e₀/λ)",
+        value: (crossings[4] - crossings[0]) / 2.0 / expected,
+        expected: 1.0,
+        unit: "1",
+        source: "Klingel 1883",
+        tolerance: (5e-3, "creep and a load that pulls a little"),
+    }
+    .holds(&PAGE);
 }
 
 /// Free wheelsets of cones run in a curve of R = 3000 m with their wheels at r0 e0/(lambda R) to the
@@ -103,7 +128,15 @@ fn analytic_free_curving_offset() {
     let front = vehicle.structure.wheelsets[0].body;
     let offset = vehicle.state.bodies[front].position.y;
     let at_the_wheels = radius * half / (CONICITY * 3000.0);
-    assert_close(-offset, at_the_wheels * (1.0 - radius * CONICITY / half), 1e-2);
+    Row {
+        case: "free wheelsets, R 3000 m, offset over r₀e₀/(λR) less the roll",
+        value: -offset / (at_the_wheels * (1.0 - radius * CONICITY / half)),
+        expected: 1.0,
+        unit: "1",
+        source: "rolling without slip",
+        tolerance: (1e-2, "the load presses the outer wheels deeper"),
+    }
+    .holds(&PAGE);
 }
 
 /// All energy is accounted for: traction, coupler, resistance, gradient, curve and brake over 30 s.
@@ -171,7 +204,7 @@ fn property_sand_brings_a_spinning_locomotive_back() {
     let pulling = |friction| Inputs { traction: 240e3, ..Inputs::none(friction) };
     let mut vehicle = started(locomotive(), "", 10.0, &pulling(0.36));
     let creepage = |vehicle: &Dynamics| vehicle.wheels[0][0].total.creepages.longitudinal;
-    let force = |vehicle: &Dynamics| vehicle.wheels[0][0].total.longitudinal;
+    let force = |vehicle: &Dynamics| vehicle.wheels[0][0].total.force.longitudinal;
     let wet = pulling(0.15);
     run(&mut vehicle, 0.2, &wet);
     let (spinning, pull) = (creepage(&vehicle), force(&vehicle));

@@ -1,8 +1,8 @@
 //! The start: equilibrium, and standstill.
 
 use crate::common::*;
-use vehicle::inputs::Inputs;
-use vehicle::wheel::Standing;
+use vehicle::contact::Standing;
+use vehicle::dynamics::inputs::Inputs;
 
 /// Nothing jumps at the start: wheel loads stay within 0.1 % of the first ones for a second.
 #[test]

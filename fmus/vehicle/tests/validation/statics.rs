@@ -1,9 +1,9 @@
 //! "Reference set" is the representative Co-Co locomotive of `stock/vehicles`, for which the same
-//! quantities were computed independently (reference/vehicle.md 5.2): loads, modes, weight transfer,
+//! quantities were computed by a separate linear program (docs/reference/locomotive.md): loads, modes, weight transfer,
 //! steady lateral acceleration.
 
 use crate::common::*;
-use vehicle::inputs::Inputs;
+use vehicle::dynamics::inputs::Inputs;
 use vehicle::linear;
 
 /// Static wheel loads: 134 t x 9.81 m/s² / 12 = 109.5 kN (vertical; the contact is inclined by
@@ -20,7 +20,7 @@ fn analytic_static_wheel_loads() {
     }
 }
 
-/// Undamped modes with the wheelsets held: independent computation for the reference set, given
+/// Undamped modes with the wheelsets held: separate linear program (docs/reference/locomotive.md), given
 /// with three or four figures; hence 0.2 %.
 #[test]
 fn benchmark_natural_frequencies() {
@@ -30,8 +30,16 @@ fn benchmark_natural_frequencies() {
     ];
     let found = linear::natural_frequencies(&locomotive());
     assert_eq!(found.len(), expected.len());
-    for (found, expected) in found.into_iter().zip(expected) {
-        assert_close(found, expected, 2e-3);
+    for (i, (value, expected)) in found.into_iter().zip(expected).enumerate() {
+        Row {
+            case: &format!("locomotive, wheelsets held, mode {}", i + 1),
+            value,
+            expected,
+            unit: "Hz",
+            source: LINEAR_PROGRAM,
+            tolerance: (2e-3 * expected, "three or four figures of the source"),
+        }
+        .holds(&PAGE);
     }
 }
 
@@ -44,16 +52,24 @@ fn benchmark_weight_transfer_in_traction() {
     let vehicle = started(locomotive(), "", 5.0, &inputs);
     let expected = [-31.1, -6.0, 19.2, -19.2, 6.0, 31.1];
     let static_load = 134e3 * 9.81 / 6.0;
-    for ([left, right], expected) in vertical_loads(&vehicle).into_iter().zip(expected) {
-        let change = (left + right - static_load) / 1e3;
-        assert!((change - expected).abs() < 0.02 * 31.1, "{change} kN, expected {expected} kN");
+    let loads = vertical_loads(&vehicle).into_iter().zip(expected);
+    for (i, ([left, right], expected)) in loads.enumerate() {
+        Row {
+            case: &format!("locomotive, 480 kN of traction, load of axle {}", i + 1),
+            value: (left + right - static_load) / 1e3,
+            expected,
+            unit: "kN",
+            source: LINEAR_PROGRAM,
+            tolerance: (0.02 * 31.1, "weight of displaced bodies, which the source leaves out"),
+        }
+        .holds(&PAGE);
     }
 }
 
-/// Steady lateral acceleration of 0.65 m/s²: independent linear computation for the reference set,
+/// Steady lateral acceleration of 0.65 m/s²: separate linear program (docs/reference/locomotive.md),
 /// contacts 0.755 m from the middle; ours is linear here too, with the wheelsets on springs at the
 /// rails. The mean load change is a matter of moments: 0.1 %. Its share between end and middle
-/// axles depends on how the rails hold the wheelsets sideways, which the reference does not say:
+/// axles depends on how the rails hold the wheelsets sideways, which its page does not say:
 /// 3 %. Sway and roll are given with two figures: 3 %.
 #[test]
 fn benchmark_steady_lateral_acceleration() {
@@ -88,10 +104,26 @@ fn benchmark_steady_lateral_acceleration() {
             CONTACT * (moved[at + 2] + 0.755 * moved[at + 3]) / 1e3
         })
         .collect();
-    assert_close(changes.iter().sum::<f64>() / 6.0, (2.0 * 14.92 + 13.17) / 3.0, 1e-3);
-    for (change, expected) in changes.iter().zip([14.92, 13.17, 14.92, 14.92, 13.17, 14.92]) {
-        assert_close(*change, expected, 3e-2);
+    let row = |what: &str, value: f64, (expected, unit): (f64, &str), (share, reason)| {
+        Row {
+            case: &format!("locomotive, 0.65 m/s² across, {what}"),
+            value,
+            expected,
+            unit,
+            source: LINEAR_PROGRAM,
+            tolerance: (share * expected, reason),
+        }
+        .holds(&PAGE);
+    };
+    let mean = (2.0 * 14.92 + 13.17) / 3.0;
+    let figures = (1e-3, "four figures of the source");
+    row("mean wheel load", changes.iter().sum::<f64>() / 6.0, (mean, "kN"), figures);
+    let open = (3e-2, "how the rails hold the wheelsets across, which the source leaves open");
+    let expected = [14.92, 13.17, 14.92, 14.92, 13.17, 14.92];
+    for (i, (change, expected)) in changes.iter().zip(expected).enumerate() {
+        row(&format!("wheel load of axle {}", i + 1), *change, (expected, "kN"), open);
     }
-    assert_close(moved[1], 34e-3, 3e-2);
-    assert_close(moved[3].to_degrees().abs(), 0.35, 3e-2);
+    let figures = (3e-2, "two figures of the source");
+    row("sway", 1e3 * moved[1], (34.0, "mm"), figures);
+    row("roll", moved[3].to_degrees().abs(), (0.35, "degrees"), figures);
 }

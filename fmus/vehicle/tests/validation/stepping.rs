@@ -1,8 +1,8 @@
 //! The step itself: its convergence, any speed, saved states.
 
 use crate::common::*;
-use vehicle::inputs::Inputs;
-use vehicle::wheel::Standing;
+use vehicle::contact::Standing;
+use vehicle::dynamics::inputs::Inputs;
 
 /// Steps of 1 ms against 0.1 ms through a transition into the arc: wheel loads within 0.5 % of the
 /// static load, positions within 0.1 mm. The scheme is of first order in the friction terms; the
@@ -120,7 +120,7 @@ fn property_runs_at_any_speed() {
             );
             for wheel in vehicle.wheels.iter().flatten() {
                 assert!(
-                    wheel.total.normal > 50e3 && wheel.standing == Standing::OnRail,
+                    wheel.total.force.normal > 50e3 && wheel.standing == Standing::OnRail,
                     "{speed} m/s: {wheel:?}"
                 );
             }

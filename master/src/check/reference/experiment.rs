@@ -53,8 +53,8 @@ impl Experiment {
         Ok(experiment)
     }
 
-    /// The experiment of a result that has none beside it: its outputs at its times, with a step
-    /// that divides the time between two rows.
+    /// The experiment that made a result, from its rows: its outputs at its times, with a step that
+    /// divides the time between two rows.
     pub fn of_result(names: &[String], times: &[f64], default_step: Option<f64>) -> Option<Self> {
         let (first, last) = (times.first()?, times.last()?);
         let rows = times.len() as f64 - 1.0;
@@ -74,5 +74,65 @@ impl Experiment {
     /// Number of steps.
     pub fn steps(&self) -> u64 {
         (self.stop_time_s / self.step_s).round() as u64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EXPERIMENT: &str = "stop_time_s = 2.0\nstep_s = 0.001\nrecord_every = 100\n\
+                              relative_tolerance = 1e-6\noutputs = [\"h\", \"v\"]\n";
+
+    fn read(text: &str) -> Result<Experiment, String> {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), text).unwrap();
+        Experiment::read(file.path()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn an_experiment_is_read_with_what_may_be_left_out() {
+        let experiment = read(EXPERIMENT).unwrap();
+        assert_eq!((experiment.steps(), experiment.record_every), (2000, 100));
+        assert!(experiment.start_values.is_empty());
+        let with_start = format!("{EXPERIMENT}[start_values]\ne = 0.7\n");
+        assert_eq!(read(&with_start).unwrap().start_values["e"], 0.7);
+    }
+
+    #[test]
+    fn an_experiment_that_makes_no_sense_is_refused_by_its_key() {
+        for (from, to, part) in [
+            ("step_s = 0.001", "step_s = 0.0", "step_s"),
+            ("stop_time_s = 2.0", "stop_time_s = -1.0", "stop_time_s"),
+            ("record_every = 100", "record_every = 0", "record_every"),
+            ("relative_tolerance = 1e-6", "relative_tolerance = inf", "relative_tolerance"),
+            ("stop_time_s = 2.0", "stop_time = 2.0", "stop_time"),
+        ] {
+            let error = read(&EXPERIMENT.replace(from, to)).unwrap_err();
+            assert!(error.contains(part), "{to}: {error}");
+        }
+    }
+
+    /// A reference result of the Reference-FMUs has no experiment beside it: its rows say how it was made.
+    #[test]
+    fn a_result_without_experiment_is_run_at_its_own_times() {
+        let times: Vec<f64> = (0..=300).map(|row| 0.01 * f64::from(row)).collect();
+        let names = ["h".to_owned()];
+        let steps = |default| {
+            let experiment = Experiment::of_result(&names, &times, default).unwrap();
+            assert!((experiment.stop_time_s - 3.0).abs() < 1e-12);
+            assert!((experiment.step_s * experiment.record_every as f64 - 0.01).abs() < 1e-12);
+            (experiment.steps(), experiment.record_every)
+        };
+        assert_eq!(steps(None), (300, 1));
+        assert_eq!(steps(Some(1e-3)), (3000, 10), "the step of the FMU divides the interval");
+        assert_eq!(
+            steps(Some(3e-3)),
+            (900, 3),
+            "one that does not is rounded to the next that does"
+        );
+        assert_eq!(steps(Some(0.5)), (300, 1), "a longer one than the interval is not used");
+        assert_eq!(Experiment::of_result(&names, &[0.0], None), None, "one row has no interval");
+        assert_eq!(Experiment::of_result(&names, &[], None), None);
     }
 }

@@ -37,7 +37,7 @@ impl Reference {
     /// Reads the reference result of an FMU.
     ///
     /// # Errors
-    /// When the FMU has none, or a file of it makes no sense.
+    /// When the FMU has no reference result, or a file of it cannot be read.
     pub fn of(fmu: &Path) -> Result<Self, ReferenceError> {
         let folder = tempfile::tempdir().map_err(FileError::at(fmu))?;
         archive::unpack(fmu, folder.path()).map_err(|error| ReferenceError::content(fmu, error))?;

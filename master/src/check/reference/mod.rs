@@ -31,7 +31,7 @@ pub use files::pack;
 /// Why a reference result cannot be made or replayed.
 #[derive(Debug, thiserror::Error)]
 pub enum ReferenceError {
-    /// The FMU has none.
+    /// The FMU has no reference result.
     #[error("{0} carries no reference result (extra/org.fmi-standard.fmi-ls-ref)")]
     None(PathBuf),
     /// A file cannot be read or written.

@@ -1,0 +1,72 @@
+//! Examples in the help of the commands; each can be typed at the top of the repository.
+
+/// Of `hotfoot run`.
+pub const RUN: &str = "\
+Examples:
+  hotfoot run scenarios/curve-increasing-speed --duration 20
+  hotfoot run scenarios/train-alone --results results/first --quiet
+  hotfoot run train.ssp --step 0.001 --threads 4";
+
+/// Of `hotfoot export-ssp`.
+pub const EXPORT_SSP: &str = "\
+Examples:
+  hotfoot export-ssp scenarios/curve-increasing-speed --output train.ssp";
+
+/// Of `hotfoot check`.
+pub const CHECK: &str = "\
+Examples:
+  hotfoot check wagon.fmu
+  hotfoot check wagon.fmu --as vehicle --replay
+  hotfoot check --rules";
+
+/// Of `hotfoot pack`.
+pub const PACK: &str = "\
+Examples:
+  hotfoot pack target/release/libvehicle_fmu.so --resources fmus/vehicle/resources --stock stock --output wagon.fmu
+  hotfoot pack wagon.fmu --resources my-wagon --output my-wagon.fmu";
+
+/// Of `hotfoot schema`.
+pub const SCHEMA: &str = "\
+Examples:
+  hotfoot schema";
+
+/// Of `hotfoot modes`.
+pub const MODES: &str = "\
+Examples:
+  hotfoot modes wagon-ore-40t
+  hotfoot modes locomotive-coco-134t --stick --csv";
+
+/// Of `hotfoot contact`.
+pub const CONTACT: &str = "\
+Examples:
+  hotfoot contact --wheel S1002 --rail 60E1 --from-mm -6 --to-mm 6
+  hotfoot contact --wheel cone-1-20 --plot cone.svg";
+
+/// Of `hotfoot creep`.
+pub const CREEP: &str = "\
+Examples:
+  hotfoot creep --load 100000 --radii-m 0.5 0.3 --longitudinal 0.001
+  hotfoot creep --load 100000 --semi-axes-mm 6 6 --longitudinal 0,0.002,0.004,0.008 --plot creep.svg
+  hotfoot creep --law polach --factors 0.7 0.4 --load 100000 --semi-axes-mm 6 5 --lateral 0.002";
+
+/// Of `hotfoot critical-speed`.
+pub const CRITICAL_SPEED: &str = "\
+Examples:
+  hotfoot critical-speed wagon-ore-40t --conicity 0.1,0.2,0.3
+  hotfoot critical-speed locomotive-coco-134t --greatest 80 --csv";
+
+/// Of `hotfoot report`.
+pub const REPORT: &str = "\
+Examples:
+  hotfoot report results/curve-increasing-speed";
+
+/// Of `hotfoot expect`.
+pub const EXPECT: &str = "\
+Examples:
+  hotfoot expect results/foot-study/r800 scenarios/foot-study/expected/r800.toml";
+
+/// Of `hotfoot interface`.
+pub const INTERFACE: &str = "\
+Examples:
+  hotfoot interface wagon.fmu
+  hotfoot interface --xml wagon.fmu";

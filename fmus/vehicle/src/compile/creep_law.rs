@@ -1,0 +1,38 @@
+//! The creep law that a vehicle file chooses.
+
+use contact::{CreepLaw, FallingFriction, ModifiedFastsim, Polach, Reduction};
+use stock::CreepLawKind;
+
+/// Pairs of strips, and elements of each, of FASTSIM on line unless the file says otherwise.
+const DIVISION: (usize, usize) = (5, 20);
+
+/// The law with its parameters; the first modified FASTSIM of a process makes the table.
+pub(super) fn compiled(creep: &stock::CreepLaw) -> CreepLaw {
+    let friction = FallingFriction {
+        static_coefficient: creep.friction,
+        limit_ratio: creep.limit_ratio,
+        decay: creep.decay_s_m,
+    };
+    let reduction = Reduction {
+        initial: creep.initial_slope.unwrap_or(Reduction::NONE.initial),
+        remaining: creep.remaining_slope.unwrap_or(Reduction::NONE.remaining),
+        fall: creep.slope_fall.unwrap_or(Reduction::NONE.fall),
+    };
+    match creep.law {
+        CreepLawKind::ModifiedFastsim => {
+            CreepLaw::Fastsim(ModifiedFastsim::by_table(reduction, friction))
+        }
+        CreepLawKind::FastsimOnLine => {
+            let pairs = creep.strip_pairs.unwrap_or(DIVISION.0);
+            let elements = creep.elements.unwrap_or(DIVISION.1);
+            CreepLaw::Fastsim(ModifiedFastsim::on_line(reduction, friction, pairs, elements))
+        }
+        CreepLawKind::Polach => CreepLaw::Polach(Polach {
+            adhesion_factor: creep.adhesion_factor.unwrap_or(1.0),
+            slip_factor: creep.slip_factor.unwrap_or(1.0),
+            friction,
+        }),
+        CreepLawKind::ShenHedrickElkins => CreepLaw::ShenHedrickElkins(friction),
+        CreepLawKind::KalkerLinear => CreepLaw::KalkerLinear,
+    }
+}
