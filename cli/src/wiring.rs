@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use anyhow::Result;
 use clap::Args;
 use hotfoot::run::wiring;
 
