@@ -119,7 +119,10 @@ mod tests {
         let stock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../stock/vehicles");
         let resources = tempfile::tempdir().unwrap();
         let file = |name: &str| resources.path().join(name);
-        std::fs::copy(stock.join("locomotive-coco-134t.toml"), file("vehicle.toml")).unwrap();
+        let locomotive = "locomotive-coco-134t.toml";
+        std::fs::create_dir_all(file("stock/vehicles")).unwrap();
+        std::fs::copy(stock.join(locomotive), file("stock/vehicles").join(locomotive)).unwrap();
+        std::fs::write(file("vehicle.toml"), "extends = \"locomotive-coco-134t\"").unwrap();
         std::fs::write(file("track.toml"), "alignment = []").unwrap();
         let mut fmu =
             Instance::<Vehicle>::new(resources.path(), "vehicle", Box::new(|_, _| {})).unwrap();
