@@ -60,7 +60,7 @@ impl Setup {
             Subject::Train(scenario, layout) => {
                 train_tables::recorder(scenario, layout, &mut self.system, folder)
             }
-            Subject::Package(every) => super::package::recorder(&self.system, *every, folder),
+            Subject::Package(every) => Recorder::of_components(&self.system, *every, folder),
         }
     }
 

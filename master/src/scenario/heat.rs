@@ -120,8 +120,9 @@ pub enum FieldFailure {
     /// The run stops; what was recorded is kept.
     #[default]
     Stop,
-    /// The run goes on without the field, and says so.
-    GoOn,
+    /// The run continues without the field, and says so.
+    #[serde(rename = "go-on")]
+    Continue,
 }
 
 impl FieldFailure {
@@ -129,12 +130,12 @@ impl FieldFailure {
     pub fn word(self) -> &'static str {
         match self {
             Self::Stop => "stop",
-            Self::GoOn => "go_on",
+            Self::Continue => "go_on",
         }
     }
 }
 
-/// A place on the rail.
+/// A point on the rail.
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct Probe {

@@ -26,3 +26,8 @@ fn packages_depend_only_on_what_their_part_allows() {
 fn only_the_fmi_boundary_allows_unsafe_code() {
     holds("unsafe");
 }
+
+#[test]
+fn each_equation_has_anchor_citation_and_validation() {
+    holds("equations");
+}
