@@ -101,7 +101,7 @@ mod tests {
             default_step: 1e-3,
         };
         let mut declaration = Declaration::default();
-        let mass = declaration.real("mass", unit::KILOGRAM, "Mass").min(1.0);
+        let mass = declaration.real("mass", unit::KILOGRAM, "Mass").within(1.0..);
         let _ = mass.tunable(2.0);
         let _ = declaration.real("speed", unit::METRE_PER_SECOND, "<v>").output();
         let page = signal_table_html(&identity, &declaration);

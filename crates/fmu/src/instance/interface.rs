@@ -52,7 +52,7 @@ mod tests {
     use crate::variables::unit;
 
     fn mass(declaration: &mut Declaration, start: f64) {
-        let mass = declaration.real("mass", unit::KILOGRAM, "Mass").min(1.0);
+        let mass = declaration.real("mass", unit::KILOGRAM, "Mass").within(1.0..);
         let _ = mass.parameter(start);
     }
 

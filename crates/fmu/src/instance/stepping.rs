@@ -9,7 +9,7 @@ use crate::variables::Kind;
 /// Relative difference of two times that count as equal: to the greater of time and step.
 ///
 /// Masters compute `k·h` in several ways, which differ by some units of the last
-/// place (1e-16); a step left out at 1 ms is noticed up to 1e6 s.
+/// digit (1e-16); a step left out at 1 ms is noticed up to 1e6 s.
 const TIME_TOLERANCE: f64 = 1e-9;
 
 impl<M: Model> Instance<M> {

@@ -2,7 +2,7 @@
 
 use super::bounds::Bounds;
 use super::unit::Unit;
-use super::values::{Boolean, Integer, Real, Text, Type, Values};
+use super::values::{Real, Type, Values};
 use super::variable::{Causality, Initial, Kind, Terminal, Variability, Variable};
 
 /// All variables of a model in the order in which they are declared.
@@ -105,37 +105,6 @@ impl Declaration {
         self.variable(name.into(), description.into(), [].as_slice())
     }
 
-    /// A String parameter, such as a file name, with its start value.
-    pub fn text_parameter(
-        &mut self,
-        name: impl Into<String>,
-        description: impl Into<String>,
-        start: impl Into<String>,
-    ) -> Text {
-        self.text(name, description).parameter(start)
-    }
-
-    /// An Integer parameter with its start value and bounds.
-    pub fn integer_parameter(
-        &mut self,
-        name: impl Into<String>,
-        description: impl Into<String>,
-        start: i32,
-        bounds: (i32, i32),
-    ) -> Integer {
-        self.integer(name, description).within(bounds.0..=bounds.1).parameter(start)
-    }
-
-    /// A Boolean parameter with its start value.
-    pub fn boolean_parameter(
-        &mut self,
-        name: impl Into<String>,
-        description: impl Into<String>,
-        start: bool,
-    ) -> Boolean {
-        self.boolean(name, description).parameter(start)
-    }
-
     fn variable<T: Type>(
         &mut self,
         name: String,
@@ -160,18 +129,6 @@ impl VariableDeclaration<'_, f64> {
     /// Smallest and largest value allowed.
     pub fn within(mut self, bounds: impl Into<Bounds<f64>>) -> Self {
         self.domain.1 = bounds.into();
-        self
-    }
-
-    /// Smallest value allowed.
-    pub fn min(mut self, min: f64) -> Self {
-        self.domain.1.min = Some(min);
-        self
-    }
-
-    /// Largest value allowed.
-    pub fn max(mut self, max: f64) -> Self {
-        self.domain.1.max = Some(max);
         self
     }
 }

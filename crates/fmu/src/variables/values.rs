@@ -133,25 +133,14 @@ impl Clone for Values {
 }
 
 /// Handle of Real variables that were declared one after the other, to read or write all at once.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reals<const N: usize> {
     first: u32,
 }
 
 impl<const N: usize> Reals<N> {
-    /// The variables with these handles.
-    ///
-    /// # Panics
-    /// When they were not declared one after the other.
-    pub fn new(handles: [Real; N]) -> Self {
-        let first = handles[0].0;
-        let in_turn = (first..).zip(handles).all(|(reference, handle)| handle.0 == reference);
-        assert!(in_turn, "{handles:?} were not declared one after the other");
-        Self { first }
-    }
-
     /// The variable with this handle and those declared after it.
-    #[doc(hidden)]
     pub fn from_first(Real(first): Real) -> Self {
         Self { first }
     }
@@ -180,14 +169,9 @@ mod tests {
     fn property_several_reals_are_those_of_their_handles() {
         let mut values = Values { reals: vec![0.0; 5], ..Values::default() };
         let handles = [Real(2), Real(3)];
-        values[Reals::new(handles)] = [1.0, 2.0];
-        assert_eq!(handles.map(|handle| values[handle]), values[Reals::new(handles)]);
+        let both = Reals::from_first(handles[0]);
+        values[both] = [1.0, 2.0];
+        assert_eq!(handles.map(|handle| values[handle]), values[both]);
         assert_eq!(values.reals, [0.0, 0.0, 1.0, 2.0, 0.0]);
-    }
-
-    #[test]
-    #[should_panic(expected = "one after the other")]
-    fn property_several_reals_lie_side_by_side() {
-        Reals::new([Real(2), Real(4)]);
     }
 }
