@@ -83,8 +83,8 @@ fn count(program: &Path, folder: &Path, steps: u64) -> Result<BTreeMap<&'static 
             .arg(profile),
     )?;
     let mut counts = BTreeMap::new();
-    for (count, place) in text.lines().filter_map(line) {
-        *counts.entry(part(place)).or_default() += count;
+    for (count, function) in text.lines().filter_map(line) {
+        *counts.entry(part(function)).or_default() += count;
     }
     if counts.is_empty() {
         bail!("callgrind_annotate printed no counts");
@@ -92,17 +92,17 @@ fn count(program: &Path, folder: &Path, steps: u64) -> Result<BTreeMap<&'static 
     Ok(counts)
 }
 
-/// Count and place of a line like `1,234  file:function [object]`.
+/// Count and function of a line like `1,234  file:function [object]`.
 fn line(line: &str) -> Option<(u64, &str)> {
-    let (count, place) = line.trim_start().split_once(' ')?;
+    let (count, function) = line.trim_start().split_once(' ')?;
     let count = count.replace(',', "").parse().ok()?;
-    let place = place.trim_start();
-    place.contains(':').then_some((count, place))
+    let function = function.trim_start();
+    function.contains(':').then_some((count, function))
 }
 
-/// The part to which a place belongs: by its file, or else by its function.
-fn part(place: &str) -> &'static str {
-    let (file, function) = place.split_once(':').unwrap_or((place, ""));
+/// The part to which a function belongs: by its file, or else by its name.
+fn part(function: &str) -> &'static str {
+    let (file, function) = function.split_once(':').unwrap_or((function, ""));
     let found = |text: &str| PARTS.iter().find(|(_, marks)| marks.iter().any(|m| text.contains(m)));
     found(file).or_else(|| found(function)).map_or(REST, |(part, _)| part)
 }

@@ -102,13 +102,13 @@ impl Stages {
 fn processor_time() -> Option<f64> {
     /// Ticks of `/proc` a second.
     const TICKS: f64 = 100.0;
-    /// Places of cutime and cstime behind the name in proc_pid_stat(5).
+    /// Indices of cutime and cstime behind the name in proc_pid_stat(5).
     const OF_CHILDREN: [usize; 2] = [13, 14];
     let text = std::fs::read_to_string("/proc/self/stat").ok()?;
     let fields: Vec<&str> = text.rsplit_once(')')?.1.split_whitespace().collect();
     OF_CHILDREN
         .iter()
-        .map(|&place| fields.get(place)?.parse::<f64>().ok())
+        .map(|&index| fields.get(index)?.parse::<f64>().ok())
         .sum::<Option<f64>>()
         .map(|ticks| ticks / TICKS)
 }

@@ -5,11 +5,8 @@ use std::path::Path;
 use super::after::Rails;
 use super::error::RunError;
 use super::manifest::{Manifest, component_facts};
-use super::observe_error::ObserveError;
-use super::output_table::{OutputTable, renamed, table_name};
-use super::recorder::Recorder;
+use super::output_table::renamed;
 use super::setup::{Setup, Subject};
-use super::train_tables::PART_S;
 use crate::files::archive;
 use crate::report::SystemFacts;
 use crate::scenario::Times;
@@ -81,22 +78,4 @@ fn stage_names(structure: &Structure, system: &System) -> Vec<String> {
         1 => vec!["components".to_owned()],
         count => (1..=count).map(|number| format!("stage {number}")).collect(),
     }
-}
-
-/// Begins the series of a system in `folder`, with a record every so many steps: a table for each
-/// component with all its outputs that are numbers.
-///
-/// # Errors
-/// When the folder cannot be written.
-pub fn recorder(system: &System, every: u64, folder: &Path) -> Result<Recorder, ObserveError> {
-    let interval = every as f64 * system.clock.length;
-    let per_part = (PART_S / interval).ceil() as usize;
-    let mut recorder = Recorder { every, ..Recorder::default() };
-    for (number, part) in system.parts.iter().enumerate() {
-        let Some(name) = table_name(part.unit.as_ref()) else { continue };
-        let series = (folder, name.as_str(), per_part);
-        let table = OutputTable::create(series, vec![], system, &[number], |_| true)?;
-        recorder.outputs.extend(table);
-    }
-    Ok(recorder)
 }

@@ -7,6 +7,7 @@ use super::error::RunError;
 use super::live::LiveFigures;
 use super::manifest::Manifest;
 use super::observe_error::ObserveError;
+use super::package_tables;
 use super::recorder::Recorder;
 use super::train_tables;
 use crate::scenario::Scenario;
@@ -60,7 +61,7 @@ impl Setup {
             Subject::Train(scenario, layout) => {
                 train_tables::recorder(scenario, layout, &mut self.system, folder)
             }
-            Subject::Package(every) => super::package::recorder(&self.system, *every, folder),
+            Subject::Package(every) => package_tables::recorder(&self.system, *every, folder),
         }
     }
 

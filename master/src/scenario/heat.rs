@@ -121,7 +121,8 @@ pub enum FieldFailure {
     #[default]
     Stop,
     /// The run goes on without the field, and says so.
-    GoOn,
+    #[serde(rename = "go-on")]
+    Continue,
 }
 
 impl FieldFailure {
@@ -129,7 +130,7 @@ impl FieldFailure {
     pub fn word(self) -> &'static str {
         match self {
             Self::Stop => "stop",
-            Self::GoOn => "go_on",
+            Self::Continue => "go_on",
         }
     }
 }

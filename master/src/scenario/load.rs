@@ -163,6 +163,16 @@ file = "driver.toml"
     }
 
     #[test]
+    fn a_vehicle_before_the_first_is_refused_by_the_key_of_the_file() {
+        let (message, at) = message(&format!("{GOOD}\n[[fmus.vehicle_at]]\nplace = 0\n"));
+        assert!(
+            message.starts_with("fmus.vehicle_at[1].place = 0: must be at least 1"),
+            "{message}"
+        );
+        assert_eq!(at.as_deref(), Some("0"));
+    }
+
+    #[test]
     fn two_fmus_for_one_place_are_refused() {
         let other = "[[fmus.vehicle_at]]\nplace = 2\nfile = \"v.fmu\"\n";
         let (message, at) = message(&format!("{GOOD}\n{other}{other}"));

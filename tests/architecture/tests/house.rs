@@ -13,8 +13,38 @@ fn holds(name: &str) {
 }
 
 #[test]
+fn no_files_use_each_other_in_a_loop() {
+    holds("circles");
+}
+
+#[test]
+fn a_file_has_at_most_350_lines() {
+    holds("length");
+}
+
+#[test]
+fn the_root_of_a_source_folder_has_at_most_12_entries() {
+    holds("entries");
+}
+
+#[test]
+fn at_least_30_percent_of_the_lines_are_tests() {
+    holds("tests");
+}
+
+#[test]
 fn a_target_without_test_runs_has_no_tests() {
     holds("untested");
+}
+
+#[test]
+fn identifiers_are_in_the_words_of_the_field() {
+    holds("vocabulary");
+}
+
+#[test]
+fn doc_comments_begin_with_a_short_line() {
+    holds("first-lines");
 }
 
 #[test]
@@ -25,4 +55,9 @@ fn packages_depend_only_on_what_their_part_allows() {
 #[test]
 fn only_the_fmi_boundary_allows_unsafe_code() {
     holds("unsafe");
+}
+
+#[test]
+fn equations_have_anchors_citations_and_validation() {
+    holds("equations");
 }

@@ -1,4 +1,4 @@
-//! What changes in a vehicle: its motion and the forces on it.
+//! What changes in a vehicle: its motion and the forces on it (theory, eq. 1).
 
 use serde::{Deserialize, Serialize};
 

@@ -21,8 +21,9 @@ const SECTIONS: [(Role, &str, &str, &[RoleVariable]); 8] = [
     (Role::Railheat, "input", "vehicle[i].wheelset[j].", RAIL_INPUT),
 ];
 
-/// A table in Markdown with a row for each variable of each role. Outputs of the right wheels, which have
-/// the names of the left ones, are not listed.
+/// A table in Markdown with a row for each variable of each role.
+///
+/// Outputs of the right wheels have the names of the left ones and are not listed.
 pub fn page() -> String {
     let mut page = String::from(
         "| role | causality | variable | unit | needed | between steps of a slower unit |\n\
