@@ -122,7 +122,10 @@ impl System {
         for gather in gathers.iter().filter(|gather| !waits[gather.receiver]) {
             gather.pull_at_start(&mut self.parts);
         }
-        let now = self.parts[parts.clone()].iter();
-        now.zip(&before).map(|(part, before)| part.inputs.changed_since(before)).collect()
+        let changed = |(number, before): (usize, &Signals)| match waits[number] {
+            true => vec![],
+            false => self.parts[number].inputs.changed_since(before),
+        };
+        parts.clone().zip(&before).map(changed).collect()
     }
 }
