@@ -70,3 +70,9 @@ pub const INTERFACE: &str = "\
 Examples:
   hotfoot interface wagon.fmu
   hotfoot interface --xml wagon.fmu";
+
+/// Of `hotfoot wiring`.
+pub const WIRING: &str = "\
+Examples:
+  hotfoot wiring scenarios/curve-increasing-speed
+  hotfoot wiring train.ssp --dot";

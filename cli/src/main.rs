@@ -48,8 +48,8 @@ enum Command {
     /// Write a scenario's train as an SSP package for other tools
     #[command(after_help = examples::EXPORT_SSP)]
     ExportSsp(export_ssp::ExportArguments),
-    /// Show what a scenario or an SSP package consists of: components, when they step, and what flows
-    /// between them
+    /// Show the components of a scenario or an SSP package, when they step, and what flows between
+    #[command(after_help = examples::WIRING)]
     Wiring(wiring::WiringArguments),
     /// Make the report of a results folder again
     #[command(after_help = examples::REPORT)]

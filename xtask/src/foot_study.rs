@@ -64,8 +64,8 @@ pub fn table(results: &Path) -> Result<String> {
                 let value = figure.get("value").and_then(toml::Value::as_float);
                 Ok(value.context("heat is a number")? / 1e3)
             };
-            let location = said("camera.track_side", "place")?;
-            let after = location.rsplit(", ").next().unwrap_or_default();
+            let stated = said("camera.track_side", "place")?;
+            let after = stated.rsplit(", ").next().unwrap_or_default();
             let after = after.split(" after").next().unwrap_or_default().to_owned();
             writeln!(
                 text,

@@ -83,8 +83,8 @@ fn count(program: &Path, folder: &Path, steps: u64) -> Result<BTreeMap<&'static 
             .arg(profile),
     )?;
     let mut counts = BTreeMap::new();
-    for (count, function) in text.lines().filter_map(line) {
-        *counts.entry(part(function)).or_default() += count;
+    for (count, source) in text.lines().filter_map(line) {
+        *counts.entry(part(source)).or_default() += count;
     }
     if counts.is_empty() {
         bail!("callgrind_annotate printed no counts");
@@ -92,17 +92,17 @@ fn count(program: &Path, folder: &Path, steps: u64) -> Result<BTreeMap<&'static 
     Ok(counts)
 }
 
-/// Count and function of a line like `1,234  file:function [object]`.
+/// Count and source of a line like `1,234  file:function [object]`.
 fn line(line: &str) -> Option<(u64, &str)> {
-    let (count, function) = line.trim_start().split_once(' ')?;
+    let (count, source) = line.trim_start().split_once(' ')?;
     let count = count.replace(',', "").parse().ok()?;
-    let function = function.trim_start();
-    function.contains(':').then_some((count, function))
+    let source = source.trim_start();
+    source.contains(':').then_some((count, source))
 }
 
-/// The part to which a function belongs: by its file, or else by its name.
-fn part(function: &str) -> &'static str {
-    let (file, function) = function.split_once(':').unwrap_or((function, ""));
+/// The part to which a source belongs: by its file, or else by its function.
+fn part(source: &str) -> &'static str {
+    let (file, function) = source.split_once(':').unwrap_or((source, ""));
     let found = |text: &str| PARTS.iter().find(|(_, marks)| marks.iter().any(|m| text.contains(m)));
     found(file).or_else(|| found(function)).map_or(REST, |(part, _)| part)
 }

@@ -17,7 +17,7 @@
 //! | `check.rs` | a [`Check`]: what the values of a TOML file must be |
 //! | `key.rs` | where the value of a key stands, and which key stands there |
 //! | `parse.rs` | what a document says, as a structure of the program |
-//! | `structure.rs` | what a file's structure lacks: the messages of TOML and serde in plain words |
+//! | `structure.rs`, `syntax.rs` | the messages of serde and of TOML in plain words |
 //! | `table.rs` | a [`Table`]: rows of comma-separated values |
 //! | `nearest.rs` | the name that was meant |
 
@@ -28,6 +28,7 @@ mod mistake;
 mod nearest;
 mod parse;
 mod structure;
+mod syntax;
 mod table;
 
 pub use check::Check;

@@ -9,6 +9,7 @@ use crate::document::Document;
 use crate::key;
 use crate::mistake::{Mistake, is_short};
 use crate::nearest::did_you_mean;
+use crate::syntax;
 
 /// The mistake of a document that is not the structure `T`.
 pub(crate) fn mistake<T: DeserializeOwned>(
@@ -18,21 +19,26 @@ pub(crate) fn mistake<T: DeserializeOwned>(
     let text = document.text();
     let span = error.span();
     let begin = span.as_ref().map_or(0, |span| span.start);
-    let at = Site { text, begin, key: key::at(text, begin) };
+    // What all of the file lacks stands nowhere.
+    let is_somewhere = span.as_ref().is_some_and(|span| !span.is_empty());
+    let key = if is_somewhere { key::at(text, begin) } else { String::new() };
+    let at = Site { text, begin, key };
     let message = error.message().trim();
     let sentence = unknown_key::<T>(&at, message)
         .or_else(|| missing_key(&at, message))
         .or_else(|| unknown_choice(&at, message))
         .or_else(|| wrong_type(&at, message, span.clone().and_then(|span| text.get(span))))
-        .or_else(|| no_toml(&at, message, span.clone().and_then(|span| text.get(span))))
+        .or_else(|| {
+            syntax::in_words(at.line(), message, span.clone().and_then(|span| text.get(span)))
+        })
         .unwrap_or_else(|| {
             let message = message.replace('\n', "; ");
             if at.key.is_empty() { message } else { format!("{}: {message}", at.key) }
         });
-    // What the whole file lacks has no line of its own.
-    let of_the_whole = at.key.is_empty() && message.starts_with("missing field ");
     match span {
-        Some(span) if !of_the_whole => document.mistake(span, sentence),
+        Some(span) if is_somewhere || !message.starts_with("missing field ") => {
+            document.mistake(span, sentence)
+        }
         _ => Mistake::in_file(document.name(), sentence),
     }
 }
@@ -152,43 +158,6 @@ fn in_words(wanted: &str) -> &str {
         wanted if wanted.starts_with("struct ") => "a section with keys of its own",
         wanted => wanted,
     }
-}
-
-fn no_toml(at: &Site<'_>, message: &str, marked: Option<&str>) -> Option<String> {
-    let (before, after) = at.line();
-    if message == "duplicate key" {
-        let name = marked.unwrap_or_default();
-        let line = before.trim_start();
-        return Some(match (line.starts_with("[["), line.starts_with('[')) {
-            (true, _) => format!(
-                "`{name}` stands twice; write [[{}]] in double brackets for each, the first one too",
-                after_brackets(line, after)
-            ),
-            (_, true) => format!(
-                "the section [{}] stands twice; put its keys together",
-                after_brackets(line, after)
-            ),
-            _ => format!("`{name}` stands twice; leave one of them out"),
-        });
-    }
-    if message.starts_with("string values must be quoted") {
-        let first = marked.and_then(|text| text.split_whitespace().next());
-        let is_number = first.is_some_and(|text| text.parse::<f64>().is_ok());
-        return Some(match is_number {
-            true => "a number stands alone; its unit is at the end of the key".to_owned(),
-            false => "a text needs quotes".to_owned(),
-        });
-    }
-    let value = before.split_once('=').map(|(_, value)| value.trim());
-    let is_number = value.is_some_and(|value| value.parse::<f64>().is_ok());
-    let decimal_comma = is_number && after.starts_with(',');
-    decimal_comma.then(|| "a number has a decimal point, not a comma".to_owned())
-}
-
-/// The name of a section whose line is split in two.
-fn after_brackets(before: &str, after: &str) -> String {
-    let line = format!("{before}{after}");
-    line.trim_start_matches('[').split(']').next().unwrap_or_default().trim().to_owned()
 }
 
 #[cfg(test)]

@@ -4,7 +4,6 @@
 //! |---|---|
 //! | `mod.rs` | the run |
 //! | `setup.rs`, `scenario.rs`, `package.rs` | what is run |
-//! | `package_tables.rs` | the series of a package's run |
 //! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
 //! | `after.rs` | what the rails go through after the run |
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
@@ -25,7 +24,6 @@ mod observe_error;
 mod output_table;
 mod outputs;
 pub mod package;
-mod package_tables;
 mod progress;
 mod recorder;
 pub mod scenario;

@@ -1,10 +1,15 @@
 //! What is recorded of a run: tables that see the system after each step.
 
+use std::path::Path;
+
 use super::observe_error::ObserveError;
-use super::output_table::OutputTable;
+use super::output_table::{OutputTable, table_name};
 use super::step_table::StepTable;
 use crate::report::EnergyLine;
 use crate::system::step::System;
+
+/// Simulated time in a part of a series on disk, s; a killed run loses less than this.
+pub const PART_S: f64 = 1.0;
 
 /// Records the series of a run.
 #[derive(Default)]
@@ -20,6 +25,24 @@ pub struct Recorder {
 }
 
 impl Recorder {
+    /// Begins the series of a system in `folder`, with a record every so many steps: a table for each
+    /// component with all its outputs that are numbers.
+    ///
+    /// # Errors
+    /// When the folder cannot be written.
+    pub fn of_components(system: &System, every: u64, folder: &Path) -> Result<Self, ObserveError> {
+        let interval = every as f64 * system.clock.length;
+        let per_part = (PART_S / interval).ceil() as usize;
+        let mut recorder = Self { every, ..Self::default() };
+        for (number, part) in system.parts.iter().enumerate() {
+            let Some(name) = table_name(part.unit.as_ref()) else { continue };
+            let series = (folder, name.as_str(), per_part);
+            let table = OutputTable::create(series, vec![], system, &[number], |_| true)?;
+            recorder.outputs.extend(table);
+        }
+        Ok(recorder)
+    }
+
     /// Takes the state at communication point `k`, and records it if it is due.
     ///
     /// # Errors

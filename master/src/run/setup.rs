@@ -7,7 +7,6 @@ use super::error::RunError;
 use super::live::LiveFigures;
 use super::manifest::Manifest;
 use super::observe_error::ObserveError;
-use super::package_tables;
 use super::recorder::Recorder;
 use super::train_tables;
 use crate::scenario::Scenario;
@@ -61,7 +60,7 @@ impl Setup {
             Subject::Train(scenario, layout) => {
                 train_tables::recorder(scenario, layout, &mut self.system, folder)
             }
-            Subject::Package(every) => package_tables::recorder(&self.system, *every, folder),
+            Subject::Package(every) => Recorder::of_components(&self.system, *every, folder),
         }
     }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::observe_error::ObserveError;
 use super::output_table::OutputTable;
 use super::outputs;
-use super::recorder::Recorder;
+use super::recorder::{PART_S, Recorder};
 use super::step_table::{Row, StepTable, signals};
 use crate::interface::VariableType;
 use crate::recording::{
@@ -16,9 +16,6 @@ use crate::system::step::System;
 use crate::system::tap::Tap;
 use crate::train::layout::{Layout, RailHolder, VehicleHolder};
 use crate::train::roles::tables::{SIDES, WHEEL};
-
-/// Simulated time in a part of a series on disk, s; a killed run loses less than this.
-pub const PART_S: f64 = 1.0;
 
 /// The same of a train alone, s. It runs more than a hundred times faster than real time, so that
 /// this is less than half a second by the clock; parts of 1 s took a third of the time of the run.

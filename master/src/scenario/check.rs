@@ -55,9 +55,14 @@ fn check_vehicles(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     let mut replaced = BTreeSet::new();
     for (i, other) in scenario.fmus.vehicle_at.iter().enumerate() {
         let check = check.element("fmus.vehicle_at", i);
-        check.ensure(other.number <= count, "place", other.number, &behind)?;
-        let again = !replaced.insert(other.number);
-        check.ensure(!again, "place", other.number, "has an FMU already; leave one of them out")?;
+        check.ensure(other.vehicle <= count, "vehicle", other.vehicle, &behind)?;
+        let again = !replaced.insert(other.vehicle);
+        check.ensure(
+            !again,
+            "vehicle",
+            other.vehicle,
+            "has an FMU already; leave one of them out",
+        )?;
         if other.file.is_none() && !other.names.is_empty() {
             return Err(check.refuse("names", "names belong to an FMU; name its file, too"));
         }

@@ -40,9 +40,9 @@ pub struct Fmus {
 #[serde(deny_unknown_fields)]
 pub struct VehicleReplacement {
     /// Number of the vehicle in the train, from 1.
-    #[serde(rename = "place")]
-    #[garde(range(min = 1), rename("place"))]
-    pub number: usize,
+    #[serde(alias = "place")]
+    #[garde(range(min = 1))]
+    pub vehicle: usize,
     /// FMU, relative to the scenario's file; left out: that of the others.
     #[garde(skip)]
     pub file: Option<PathBuf>,

@@ -120,7 +120,7 @@ pub enum FieldFailure {
     /// The run stops; what was recorded is kept.
     #[default]
     Stop,
-    /// The run goes on without the field, and says so.
+    /// The run continues without the field, and says so.
     #[serde(rename = "go-on")]
     Continue,
 }
@@ -135,7 +135,7 @@ impl FieldFailure {
     }
 }
 
-/// A place on the rail.
+/// A point on the rail.
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct Probe {

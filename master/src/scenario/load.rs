@@ -124,7 +124,7 @@ file = "driver.toml"
     }
 
     #[test]
-    fn a_typo_is_answered_with_its_place_and_the_keys_allowed() {
+    fn a_typo_is_answered_with_its_position_and_the_keys_allowed() {
         let (message, at) = message(&GOOD.replace("duration_s", "duraton_s"));
         assert!(
             message.contains(
@@ -136,7 +136,7 @@ file = "driver.toml"
     }
 
     #[test]
-    fn a_step_of_zero_is_answered_with_its_place_and_bounds() {
+    fn a_step_of_zero_is_answered_with_its_position_and_bounds() {
         let (message, at) =
             message(&GOOD.replace("duration_s = 1.0", "duration_s = 1.0\nstep_s = 0.0"));
         assert_eq!(message, "step_s = 0.0: must be at least 0.000001");
@@ -163,28 +163,18 @@ file = "driver.toml"
     }
 
     #[test]
-    fn a_vehicle_before_the_first_is_refused_by_the_key_of_the_file() {
-        let (message, at) = message(&format!("{GOOD}\n[[fmus.vehicle_at]]\nplace = 0\n"));
-        assert!(
-            message.starts_with("fmus.vehicle_at[1].place = 0: must be at least 1"),
-            "{message}"
-        );
-        assert_eq!(at.as_deref(), Some("0"));
-    }
-
-    #[test]
-    fn two_fmus_for_one_place_are_refused() {
-        let other = "[[fmus.vehicle_at]]\nplace = 2\nfile = \"v.fmu\"\n";
+    fn two_fmus_for_one_vehicle_are_refused() {
+        let other = "[[fmus.vehicle_at]]\nvehicle = 2\nfile = \"v.fmu\"\n";
         let (message, at) = message(&format!("{GOOD}\n{other}{other}"));
         assert_eq!(
             message,
-            "fmus.vehicle_at[2].place = 2: has an FMU already; leave one of them out"
+            "fmus.vehicle_at[2].vehicle = 2: has an FMU already; leave one of them out"
         );
         assert_eq!(at.as_deref(), Some("2"));
     }
 
     #[test]
-    fn an_interval_between_two_steps_is_answered_with_its_place() {
+    fn an_interval_between_two_steps_is_answered_with_its_position() {
         let (message, at) = message(&format!("{GOOD}\n[record]\ninterval_s = 0.0015\n"));
         assert_eq!(message, "record.interval_s = 0.0015: must be a multiple of step_s = 0.001 s");
         assert_eq!(at.as_deref(), Some("0.0015"));
@@ -213,7 +203,7 @@ file = "driver.toml"
         assert_eq!((scenario.stock, found), (stock, file.clone()));
         std::fs::write(&file, text.replace("track.toml", "trak.toml")).unwrap();
         let message = load(folder.path()).unwrap_err().to_string();
-        assert!(message.contains("scenario.toml:12:8: track.file = \"trak.toml\": "), "{message}");
+        assert!(message.contains("scenario.toml:11:8: track.file = \"trak.toml\": "), "{message}");
         assert!(message.contains("there is no such file; did you mean `track.toml`?"), "{message}");
     }
 }

@@ -41,8 +41,8 @@ impl<'a> Builder<'a> {
             let VehicleFmu { import, names } = stated.unwrap_or_else(|| &of_type[kind]);
             let mut parameters = vec![];
             let stated = scenario.fmus.vehicle_at.iter().enumerate();
-            for (i, other) in stated.filter(|(_, other)| other.number == number) {
-                let key = format!("fmus.vehicle_at[{i}].parameters");
+            for (i, other) in stated.filter(|(_, other)| other.vehicle == number) {
+                let key = format!("fmus.vehicle_at[{}].parameters", i + 1);
                 for (name, value) in &other.parameters {
                     parameters.push(parameter(import, &key, name, value)?);
                 }
@@ -66,7 +66,7 @@ impl<'a> Builder<'a> {
             let count = stated.iter().filter(|same| same.file == other.file).count();
             check_instances(&import, count)?;
             of_file.insert(file, Arc::clone(&import));
-            replacements.insert(other.number, VehicleFmu { import, names: &other.names });
+            replacements.insert(other.vehicle, VehicleFmu { import, names: &other.names });
         }
         Ok(replacements)
     }

@@ -19,3 +19,8 @@ fn the_house_keeps_its_rules() {
     }
     assert!(broken.is_empty(), "{broken}");
 }
+
+#[test]
+fn each_equation_has_anchor_citation_and_validation() {
+    holds("equations");
+}

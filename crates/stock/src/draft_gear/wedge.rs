@@ -27,7 +27,8 @@ impl Wedge {
     /// out:  F_c = F_s / (1 + μ₂ (1 + μ₁ tan φ)/(tan φ − μ₁))
     /// ```
     ///
-    /// With μ₁ = 0 they are the form of Cole, *Handbook of Railway Vehicle Dynamics*, 2006, ch. 9.
+    /// They are `docs/theory/longitudinal.md#eq-7b` and `docs/theory/longitudinal.md#eq-7c`. With μ₁ = 0
+    /// they are the form of Cole, *Handbook of Railway Vehicle Dynamics*, 2006, ch. 9.
     pub(crate) fn force_ratios(&self, check: &Check) -> Result<(f64, f64), Mistake> {
         let Self { angle_deg, wedge_friction, housing_friction } = *self;
         check.between("angle_deg", angle_deg, 1.0, 89.0)?;

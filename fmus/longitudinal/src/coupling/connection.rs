@@ -1,6 +1,6 @@
 //! The connection of two vehicles: two draft gears in series with slack.
 //!
-//! The deflection d is positive in draft. Within half the slack on either side there is no force;
+//! The deflection d (theory, eq. 4) is positive in draft. Within half the slack on either side there is no force;
 //! beyond it the gears act as `connection_side.rs` says, in draft and in buff each with curves of
 //! its own.
 

@@ -23,7 +23,7 @@ const SECTIONS: [(Role, &str, &str, &[RoleVariable]); 8] = [
 
 /// A table in Markdown with a row for each variable of each role.
 ///
-/// Outputs of the right wheels have the names of the left ones and are not listed.
+/// The right wheels have the names of the left ones and are not listed.
 pub fn page() -> String {
     let mut page = String::from(
         "| role | causality | variable | unit | needed | between steps of a slower unit |\n\
