@@ -1,30 +1,23 @@
-//! The rules, held against this repository. A test prints every breach of its rule at once.
+//! The rules, held against this repository.
+
+use std::fmt::Write;
 
 use architecture::{RULES, Workspace};
 
-/// # Panics
-/// When the rule is broken, with every breach.
-#[track_caller]
-fn holds(name: &str) {
-    let rule = RULES.iter().find(|rule| rule.name == name).expect("a rule of that name");
-    let breaches = (rule.breaches)(&Workspace::read());
-    let lines: String = breaches.iter().map(|breach| format!("\n{breach}")).collect();
-    assert!(breaches.is_empty(), "{} It is broken {} times:{lines}", rule.sentence, breaches.len());
-}
+/// Rules that the house does not keep yet: gravity stands twice, and the map follows.
+const OPEN: [&str; 2] = ["constants", "map"];
 
+/// The sources are read once; every breach of every rule is printed.
 #[test]
-fn a_target_without_test_runs_has_no_tests() {
-    holds("untested");
-}
-
-#[test]
-fn packages_depend_only_on_what_their_part_allows() {
-    holds("dependencies");
-}
-
-#[test]
-fn only_the_fmi_boundary_allows_unsafe_code() {
-    holds("unsafe");
+fn the_house_keeps_its_rules() {
+    let workspace = Workspace::read();
+    let mut broken = String::new();
+    for rule in RULES.iter().filter(|rule| !OPEN.contains(&rule.name)) {
+        for breach in (rule.breaches)(&workspace) {
+            let _ = write!(broken, "\n{} {breach}", rule.sentence);
+        }
+    }
+    assert!(broken.is_empty(), "{broken}");
 }
 
 #[test]

@@ -16,7 +16,8 @@ pub struct Wedge {
 }
 
 impl Wedge {
-    /// Force at the coupler over the force of the spring, pushed in and coming out.
+    /// Force at the coupler over the force of the spring, pushed in and coming out
+    /// (theory, eq. 7b and 7c).
     ///
     /// Statics of a wedge of the angle φ between spring and coupler, with the friction μ₁ at the
     /// wedge and μ₂ at the housing:

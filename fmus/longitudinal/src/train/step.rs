@@ -63,7 +63,7 @@ impl TrainDynamics {
         state.power = power;
     }
 
-    /// Brings the connections to the vehicles' new positions.
+    /// Brings the connections to the vehicles' new positions (theory, eq. 4).
     fn move_connections(&mut self, state: &mut TrainState) {
         let Some((mut front, others)) = state.vehicles.split_first_mut() else { return };
         let connections = self.connections.iter_mut().zip(&mut state.connections);

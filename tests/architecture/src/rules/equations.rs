@@ -14,7 +14,7 @@ use crate::workspace::{Source, Workspace};
 
 /// The pages of a model, and the packages that hold its code.
 const MODELS: [(&str, &[&str]); 4] = [
-    ("docs/theory/longitudinal.md", &["fmus/longitudinal"]),
+    ("docs/theory/longitudinal.md", &["fmus/longitudinal", "crates/stock"]),
     ("docs/theory/vehicle", &["fmus/vehicle", "crates/contact", "crates/track"]),
     ("docs/theory/railheat", &["fmus/railheat"]),
     ("docs/theory/synchronisation.md", &["crates/controller", "fmus/synchronisation"]),
