@@ -71,10 +71,18 @@ fn impossible_values_are_named() {
         (
             "",
             "\"material.specific_heat\" = 0",
-            "material.specific_heat = 0: must be greater than zero",
+            "`material.specific_heat` cannot be 0 J/(kg.K): it must be a finite number, greater than 0",
         ),
-        ("", "\"material.density\" = 0", "material.density = 0: must be greater than zero"),
-        ("", "\"wind.speed\" = 300", "wind.speed = 300: must lie between 0 and 115"),
+        (
+            "",
+            "\"material.density\" = 0",
+            "`material.density` cannot be 0 kg/m3: it must be a finite number, greater than 0 kg/m3",
+        ),
+        (
+            "",
+            "\"wind.speed\" = 300",
+            "`wind.speed` cannot be 300 m/s: it must be a finite number, from 0 to 115 m/s",
+        ),
         (
             "probe = [{ chainage_m = 30.0 }, { chainage_m = 100.0 }]",
             "",

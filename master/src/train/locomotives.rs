@@ -7,6 +7,9 @@ use crate::scenario::Scenario;
 /// The table of a vehicle's file that only those with traction have.
 const TRACTION: &str = "traction";
 
+/// The list of what a vehicle's file leaves out of the one that it extends.
+const WITHOUT: &str = "without";
+
 /// Vehicles that extend one another in a row, at most; the models refuse more.
 const LONGEST_CHAIN: usize = 16;
 
@@ -32,6 +35,10 @@ fn has_traction(folder: &Path, kind: &str) -> bool {
         if table.contains_key(TRACTION) {
             return true;
         }
+        let without = table.get(WITHOUT).and_then(toml::Value::as_array);
+        if without.is_some_and(|list| list.iter().any(|name| name.as_str() == Some(TRACTION))) {
+            return false;
+        }
         let Some(extends) = table.get("extends").and_then(toml::Value::as_str) else {
             return false;
         };
@@ -50,6 +57,7 @@ mod tests {
         for (kind, text) in [
             ("diesel", "[traction]\npower_kw = 3207.0\n"),
             ("diesel-air", "extends = \"diesel\"\n"),
+            ("diesel-towed", "extends = \"diesel-air\"\nwithout = [\"traction\"]\n"),
             ("wagon-27.5t", "mass_kg = 27500.0\n"),
             ("circle", "extends = \"circle\"\n"),
         ] {
@@ -57,6 +65,11 @@ mod tests {
         }
         let found = |kind| has_traction(folder.path(), kind);
         assert!(found("diesel") && found("diesel-air"));
-        assert!(!found("wagon-27.5t") && !found("circle") && !found("missing"));
+        assert!(
+            !found("diesel-towed")
+                && !found("wagon-27.5t")
+                && !found("circle")
+                && !found("missing")
+        );
     }
 }
