@@ -19,8 +19,3 @@ fn the_house_keeps_its_rules() {
     }
     assert!(broken.is_empty(), "{broken}");
 }
-
-#[test]
-fn each_equation_has_anchor_citation_and_validation() {
-    holds("equations");
-}
