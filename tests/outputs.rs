@@ -63,7 +63,8 @@ fn analytic_measured_irregularities_reach_the_vehicle() {
     let output = scenario.run(&[]);
     assert!(!output.status.success());
     let text = String::from_utf8_lossy(&output.stderr);
-    assert!(text.contains(&*file.display().to_string()) && text.contains("line 2"), "{text}");
+    let wanted = format!("{}:2:12: right_vertical_mm = ten: must be a number", file.display());
+    assert!(text.contains(&wanted), "{text}");
 }
 
 /// Mean creepage of the locomotive's first wheel with more lines in the scenario and in the track file.

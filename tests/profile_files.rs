@@ -64,7 +64,7 @@ fn a_missing_profile_file_is_told_with_vehicle_file_and_key() {
     let text = refusal(&worn_wagons(0.2, &WORN.replace("worn.prw", "gone.prw")));
     for part in [
         "stock/vehicles/wagon-worn.toml",
-        "multibody.contact.wheel = profiles/gone.prw",
+        "multibody.contact.wheel = \"profiles/gone.prw\"",
         "stock/profiles/gone.prw: No such file",
     ] {
         assert!(text.contains(part), "'{part}' is missing in: {text}");

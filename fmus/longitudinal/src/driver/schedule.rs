@@ -198,7 +198,8 @@ mod tests {
     fn a_notch_that_does_not_exist_is_refused_with_key_and_remedy() {
         let message = schedule("command = [{ from_s = 0, notch = 9 }]").unwrap_err().to_string();
         assert!(
-            message.contains("driver.toml:1:35: command[1].notch = 9: must lie between 0 and 8")
+            message.contains("driver.toml:1:34: command[1].notch = 9: must lie between 0 and 8"),
+            "{message}"
         );
     }
 
