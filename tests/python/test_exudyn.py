@@ -13,7 +13,7 @@ import pytest
 from conftest import FMUS, ROOT, TARGET
 from fmpy import simulate_fmu
 
-GRAVITY = 9.81
+GRAVITY = 9.80665
 
 
 def suspension(name):

@@ -6,10 +6,8 @@
 //! moving frame reduce to one cross product (eq. 4), which does no work.
 
 use nalgebra::Vector3;
+use numerics::constants::STANDARD_GRAVITY;
 use track::TrackPoint;
-
-/// Standard gravity, m/s².
-pub const GRAVITY: f64 = 9.81;
 
 /// The frame at one chainage.
 #[derive(Clone, Copy, Debug)]
@@ -40,8 +38,9 @@ impl Frame {
             track.gradient_slope * cos + track.curvature * sin,
             track.curvature * cos - track.gradient_slope * sin,
         );
-        let upright = GRAVITY * (1.0 - 0.5 * track.gradient * track.gradient);
-        let gravity = Vector3::new(-GRAVITY * track.gradient, upright * sin, upright * cos);
+        let upright = STANDARD_GRAVITY * (1.0 - 0.5 * track.gradient * track.gradient);
+        let gravity =
+            Vector3::new(-STANDARD_GRAVITY * track.gradient, upright * sin, upright * cos);
         Self { track, cant: (sin, cos), rotation, gravity }
     }
 
@@ -132,7 +131,7 @@ mod tests {
         let text = "alignment = [{ length_m = 1000.0, radius_m = 800.0, cant_mm = 90.0 }]";
         let track = Track::from_toml(text, "curve").unwrap();
         let frame = Frame::new(track.at(500.0, &mut 0));
-        let speed = (GRAVITY * 800.0 * 0.06_f64.asin().tan()).sqrt();
+        let speed = (STANDARD_GRAVITY * 800.0 * 0.06_f64.asin().tan()).sqrt();
         let velocity = Vector3::new(speed, 0.0, 0.0);
         let centripetal = (frame.rotation * speed).cross(&velocity);
         assert!((centripetal.y - frame.gravity.y).abs() < 1e-6);

@@ -1,9 +1,10 @@
 //! A rigid body in its track-following frame.
 
 use nalgebra::Vector3;
+use numerics::constants::STANDARD_GRAVITY;
 use serde::{Deserialize, Serialize};
 
-use super::frame::{Frame, GRAVITY, Placement};
+use super::frame::{Frame, Placement};
 
 /// What a body is, constant.
 #[derive(Clone, Debug)]
@@ -153,7 +154,7 @@ impl BodyState {
     pub fn gravity_energy(&self, body: &RigidBody, frame: &Frame) -> f64 {
         let [aside, below] = self.offset(body);
         let across = aside * frame.gravity.y + below * frame.gravity.z;
-        body.mass * (GRAVITY * (frame.track.elevation - body.height) - across)
+        body.mass * (STANDARD_GRAVITY * (frame.track.elevation - body.height) - across)
     }
 }
 

@@ -203,7 +203,7 @@ mod tests {
             };
             near(structure.mass(), vehicle.mass_kg);
             let loads = structure.wheelsets.iter().map(|data| 2.0 * data.static_wheel_load);
-            near(loads.sum(), vehicle.mass_kg * crate::body::frame::GRAVITY);
+            near(loads.sum(), vehicle.mass_kg * numerics::constants::STANDARD_GRAVITY);
             near(structure.wheelsets.iter().map(|data| data.brake_share).sum(), 1.0);
             let traction: f64 = structure.wheelsets.iter().map(|data| data.traction_share).sum();
             assert!(traction == 0.0 || (traction - 1.0).abs() < 1e-12, "{name}: {traction}");

@@ -1,8 +1,8 @@
 //! Static load of the springs: they are so long that the vehicle stands at its given heights.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
+use numerics::constants::STANDARD_GRAVITY;
 
-use crate::body::frame::GRAVITY;
 use crate::body::{Seen, Wrench};
 use crate::linear::System;
 use crate::structure::Structure;
@@ -59,7 +59,8 @@ fn set_wheel_loads(structure: &mut Structure) {
     suspension.pass_on(&between, &mut wrenches);
     for data in &mut structure.wheelsets {
         let pressed = wrenches[data.body].force.z;
-        data.static_wheel_load = 0.5 * (pressed + structure.bodies[data.body].mass * GRAVITY);
+        data.static_wheel_load =
+            0.5 * (pressed + structure.bodies[data.body].mass * STANDARD_GRAVITY);
     }
 }
 
@@ -81,7 +82,7 @@ fn load(structure: &Structure, free: usize) -> DVector<f64> {
     suspension.pass_on(&between, &mut wrenches);
     let bodies = structure.bodies.iter().zip(wrenches).take(free);
     let parts = bodies.flat_map(|(body, Wrench { mut force, moment })| {
-        force.z += body.mass * GRAVITY;
+        force.z += body.mass * STANDARD_GRAVITY;
         [force.x, force.y, force.z, moment.x, moment.y, moment.z]
     });
     DVector::from_iterator(6 * free, parts)

@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use numerics::constants::STANDARD_GRAVITY;
 use vehicle::dynamics::Dynamics;
 use vehicle::dynamics::inputs::Inputs;
 use vehicle::track::Line;
@@ -10,7 +11,7 @@ use vehicle::track::Line;
 use crate::common::*;
 
 /// Static wheel load Q0, N.
-const STATIC_LOAD: f64 = 134e3 * 9.81 / 12.0;
+const STATIC_LOAD: f64 = 134e3 * STANDARD_GRAVITY / 12.0;
 
 /// Greatest sum of Y of a wheelset: 10 kN + 2 Q0/3, N.
 const TRACK_SHIFT: f64 = 10e3 + 2.0 * STATIC_LOAD / 3.0;
@@ -123,6 +124,6 @@ fn benchmark_curves() {
 #[test]
 fn benchmark_hunting() {
     let (judged, _) = judge("acceptance-hunting");
-    assert!(judged.body_acceleration < 0.13 * 9.81, "{judged:?}");
+    assert!(judged.body_acceleration < 0.13 * STANDARD_GRAVITY, "{judged:?}");
     assert!(judged.lateral_sum_rms < 0.5 * TRACK_SHIFT, "{judged:?}");
 }

@@ -2,6 +2,7 @@
 //! free curving.
 
 use crate::common::*;
+use numerics::constants::STANDARD_GRAVITY;
 use vehicle::dynamics::Dynamics;
 use vehicle::dynamics::inputs::Inputs;
 
@@ -68,7 +69,7 @@ fn analytic_wheel_loads_balance_the_overturning_moment() {
     for (i, (body, state)) in structure.bodies.iter().zip(&vehicle.state.bodies).enumerate() {
         let height = body.height - state.position.z;
         let aside = state.position.y + inside(i);
-        overturning += body.mass * (acceleration * height - 9.81 * aside);
+        overturning += body.mass * (acceleration * height - STANDARD_GRAVITY * aside);
         overturning -= body.inertia.y * state.angular_velocity.y * vehicle.velocity() / 800.0;
     }
     let (mut held, mut possible) = (0.0, 0.0);

@@ -1,6 +1,7 @@
 //! The start: equilibrium, and standstill.
 
 use crate::common::*;
+use numerics::constants::STANDARD_GRAVITY;
 use vehicle::contact::Standing;
 use vehicle::dynamics::inputs::Inputs;
 
@@ -45,7 +46,8 @@ fn property_starts_in_tight_curves() {
                 // Below 0.5 m/s places are those of 0.5 m/s.
                 let speed = f64::max(speed, 0.5);
                 let sin: f64 = cant / 1.5;
-                let upright = 9.81 * (1.0 - sin * sin).sqrt() + speed * speed / radius * sin;
+                let upright =
+                    STANDARD_GRAVITY * (1.0 - sin * sin).sqrt() + speed * speed / radius * sin;
                 let loads: f64 = vertical_loads(&vehicle).iter().flatten().sum();
                 let expected = structure.mass() * upright;
                 assert!((loads / expected - 1.0).abs() < 2e-3, "{case}: {loads} N, {expected} N");

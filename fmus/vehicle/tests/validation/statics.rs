@@ -3,19 +3,20 @@
 //! steady lateral acceleration.
 
 use crate::common::*;
+use numerics::constants::STANDARD_GRAVITY;
 use vehicle::dynamics::inputs::Inputs;
 use vehicle::linear;
 
-/// Static wheel loads: 134 t x 9.81 m/s² / 12 = 109.5 kN (vertical; the contact is inclined by
+/// Static wheel loads: 134 t x 9.80665 m/s² / 12 = 109.5 kN (vertical; the contact is inclined by
 /// 1.7 degrees). Exact up to the equilibrium's own tolerance of 1e-7 m/s²; symmetric to rounding.
 #[test]
 fn analytic_static_wheel_loads() {
     let vehicle = started(locomotive(), "", 10.0, &Inputs::none(FRICTION));
     let loads = vertical_loads(&vehicle);
     let sum: f64 = loads.iter().flatten().sum();
-    assert_close(sum, 134e3 * 9.81, 1e-6);
+    assert_close(sum, 134e3 * STANDARD_GRAVITY, 1e-6);
     for [left, right] in loads {
-        assert_close(left, 134e3 * 9.81 / 12.0, 1e-3);
+        assert_close(left, 134e3 * STANDARD_GRAVITY / 12.0, 1e-3);
         assert_close(left, right, 1e-9);
     }
 }
@@ -51,7 +52,7 @@ fn benchmark_weight_transfer_in_traction() {
     let inputs = Inputs { traction: pull, rear_coupler: pull, ..Inputs::none(0.6) };
     let vehicle = started(locomotive(), "", 5.0, &inputs);
     let expected = [-31.1, -6.0, 19.2, -19.2, 6.0, 31.1];
-    let static_load = 134e3 * 9.81 / 6.0;
+    let static_load = 134e3 * STANDARD_GRAVITY / 6.0;
     let loads = vertical_loads(&vehicle).into_iter().zip(expected);
     for (i, ([left, right], expected)) in loads.enumerate() {
         Row {

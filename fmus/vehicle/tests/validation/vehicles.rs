@@ -1,6 +1,7 @@
 //! The vehicles of the stock library in motion, and the track under them.
 
 use crate::common::*;
+use numerics::constants::STANDARD_GRAVITY;
 use vehicle::dynamics::Dynamics;
 use vehicle::dynamics::inputs::Inputs;
 use vehicle::linear::{Rolling, Surfaces, System};
@@ -11,7 +12,7 @@ fn analytic_static_loads_of_all_vehicles() {
     for name in VEHICLES {
         let vehicle = started(from_stock(name), "", 10.0, &Inputs::none(FRICTION));
         let loads = vertical_loads(&vehicle);
-        let weight = vehicle.structure.mass() * 9.81;
+        let weight = vehicle.structure.mass() * STANDARD_GRAVITY;
         Row {
             case: &format!("{name}, wheel loads over the weight"),
             value: loads.iter().flatten().sum::<f64>() / weight,
@@ -182,7 +183,7 @@ fn analytic_elastic_rails_carry_the_wheels() {
     let sunk = vehicle.state.deflections[0][0].displacement.y;
     Row {
         case: "locomotive, elastic rails, deflection over load by stiffness",
-        value: sunk / (134e3 * 9.81 / 12.0 / 60e6),
+        value: sunk / (134e3 * STANDARD_GRAVITY / 12.0 / 60e6),
         expected: 1.0,
         unit: "1",
         source: "Hooke's law",
