@@ -72,7 +72,7 @@ fn wrong_parameters_of_the_energy_model_are_named() {
     let mut bench = Bench::new();
     bench.set_texts(&[("model", "energy"), ("section.rail", "/no/rail.toml")]);
     let sentence = bench.start().unwrap_err();
-    assert!(sentence.contains("AS60, 60E1 and 136RE"), "{sentence}");
+    assert!(sentence.contains("AS60, 60E1, 136RE"), "{sentence}");
 }
 
 /// What can be is said in the model description, and holds where the value is set.

@@ -157,5 +157,5 @@ fn wrong_rail_files_are_named() {
         assert!(sentence.contains(wanted) && sentence.contains("x.toml"), "{sentence}");
     }
     let sentence = RailFile::open("/nowhere.toml").unwrap_err().to_string();
-    assert!(sentence.contains("AS60, 60E1 and 136RE"), "{sentence}");
+    assert!(sentence.contains("AS60, 60E1, 136RE"), "{sentence}");
 }
