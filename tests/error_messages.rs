@@ -19,6 +19,9 @@ fn sentences(answer: &str) -> Vec<String> {
     words.filter(|words| words.len() >= SENTENCE).map(|words| words.join(" ")).collect()
 }
 
+/// What makes a small scenario wrong.
+type Change = fn(&mut SmallScenario);
+
 /// Fails if the command succeeds, says a sentence twice, or speaks of the program's inside.
 fn assert_each_once(what: &str, output: &Output) {
     let answer = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -33,7 +36,7 @@ fn assert_each_once(what: &str, output: &Output) {
 
 #[test]
 fn no_sentence_comes_twice_whatever_file_is_wrong() {
-    let change: [(&str, fn(&mut SmallScenario)); 15] = [
+    let change: [(&str, Change); 15] = [
         ("an unknown key", |s| s.text = s.text.replace("duration_s", "durationn_s")),
         ("a step of zero", |s| s.text = s.text.replace("step_s = 0.001", "step_s = 0.0")),
         ("no TOML", |s| s.text = s.text.replace("step_s = 0.001", "step_s = 0,001")),
