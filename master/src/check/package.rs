@@ -6,6 +6,7 @@ use super::rule::{Finding, Severity};
 use super::rules::{FILE, check_description};
 use super::terminals;
 use crate::files::archive;
+use crate::files::xml_text;
 use crate::fmi::{self, FmuInstance, Import};
 use crate::interface::Interface;
 
@@ -30,7 +31,7 @@ pub fn check(fmu: &Path) -> Vec<Finding> {
         findings.push(error("archive-can-be-unpacked", name, source.to_string()));
         return findings;
     }
-    let text = match std::fs::read_to_string(folder.path().join(FILE)) {
+    let text = match xml_text::read(&folder.path().join(FILE)) {
         Ok(text) => text,
         Err(source) => {
             let sentence = format!("the FMU has no readable {FILE}: {source}");

@@ -10,6 +10,7 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 use super::binding::Functions;
 use super::origins::Origins;
 use crate::files::archive::{self, ArchiveError};
+use crate::files::xml_text;
 use crate::interface::{Interface, InterfaceError};
 
 /// Characters that a file URI must not hold as they are.
@@ -186,7 +187,7 @@ fn file_uri(path: &Path) -> String {
 
 /// Reads the model description of an unpacked FMU.
 pub fn read_interface(folder: &Path, file: &str) -> Result<Interface, ImportError> {
-    let xml = std::fs::read_to_string(folder.join("modelDescription.xml"))
+    let xml = xml_text::read(&folder.join("modelDescription.xml"))
         .map_err(|source| ImportError::NoModelDescription { file: file.to_owned(), source })?;
     Interface::from_xml(&xml)
         .map_err(|source| ImportError::ModelDescription { file: file.to_owned(), source })

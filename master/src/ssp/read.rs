@@ -14,6 +14,7 @@ use super::schedule;
 use super::units::{transformation, units};
 use super::xml::{XmlFile, child, listed};
 use crate::files::file_error::FileError;
+use crate::files::xml_text;
 use crate::system::structure::{
     Component, Connector, ConnectorKind, Endpoint, Sampling, Structure,
 };
@@ -30,7 +31,7 @@ pub const FMU_TYPE: &str = "application/x-fmu-sharedlibrary";
 /// When a file is missing or not as SSP 1.0 wants it.
 pub fn read(package: &Path) -> Result<Structure, SspError> {
     let path = package.join(STRUCTURE_FILE);
-    let text = std::fs::read_to_string(&path).map_err(FileError::at(&path))?;
+    let text = xml_text::read(&path).map_err(FileError::at(&path))?;
     let file = XmlFile::parse(STRUCTURE_FILE, &text)?;
     let root = file.document.root_element();
     let system = child(root, "System")
