@@ -34,6 +34,8 @@ pub struct Variable {
     pub kind: VariableType,
     /// `parameter`, `input`, `output`, `local`, …
     pub causality: String,
+    /// Whether it changes in steps only; what is no Real always does.
+    pub discrete: bool,
     /// Unit of a Real, where stated.
     pub unit: Option<String>,
     /// What that unit is in SI base units, where the model description traces it to them.
@@ -59,8 +61,37 @@ pub struct Interface {
     pub can_get_and_set_state: bool,
     /// Whether steps may differ in length.
     pub variable_step: bool,
+    /// What it proposes for a run.
+    pub experiment: DefaultExperiment,
     variables: HashMap<String, Variable>,
     units: HashMap<String, SiUnit>,
+}
+
+/// What an FMU proposes for a run of its own (§2.2.5).
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct DefaultExperiment {
+    /// Start, s.
+    pub start: Option<f64>,
+    /// End, s.
+    pub stop: Option<f64>,
+    /// Step of the exchange, s.
+    pub step: Option<f64>,
+    /// Relative tolerance of its solver.
+    pub tolerance: Option<f64>,
+}
+
+impl From<xml::DefaultExperiment> for DefaultExperiment {
+    fn from(xml: xml::DefaultExperiment) -> Self {
+        let number =
+            |text: Option<String>| text?.trim().parse().ok().filter(|n: &f64| n.is_finite());
+        let positive = |text| number(text).filter(|number| *number > 0.0);
+        Self {
+            start: number(xml.start),
+            stop: number(xml.stop),
+            step: positive(xml.step),
+            tolerance: positive(xml.tolerance),
+        }
+    }
 }
 
 /// Why a model description cannot be used.
@@ -97,6 +128,7 @@ impl Interface {
             once_per_process: slave.once_per_process,
             can_get_and_set_state: slave.can_get_and_set_state,
             variable_step: slave.variable_step,
+            experiment: root.default_experiment.into(),
             variables: variables.filter_map(|scalar| variable(scalar, &units)).collect(),
             units: units.units,
         })
@@ -200,6 +232,8 @@ fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Varia
         reference: scalar.value_reference,
         kind,
         causality: scalar.causality,
+        discrete: kind != VariableType::Real
+            || !matches!(scalar.variability.as_str(), "" | "continuous"),
         unit,
         si,
         start,

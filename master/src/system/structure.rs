@@ -24,6 +24,10 @@ pub struct Structure {
     pub step: Option<f64>,
     /// What the stages are called, in their order; those without a name have numbers.
     pub stages: Vec<String>,
+    /// Relative tolerance that the FMUs are told instead of their own; none: their own.
+    pub tolerance: Option<f64>,
+    /// What the user should know of the file that it comes from, in sentences.
+    pub notes: Vec<String>,
 }
 
 /// An instance of an FMU.
@@ -131,6 +135,8 @@ pub struct Parameter {
     pub si: Option<SiUnit>,
     /// Whether it holds on this machine only, such as the path of a file of the results.
     pub local: bool,
+    /// What is done to the value behind the conversion of units.
+    pub transformation: Linear,
 }
 
 /// A value of any type.
@@ -183,7 +189,14 @@ impl Connection {
 impl Parameter {
     /// A parameter without a unit.
     pub fn new(name: &str, value: Value) -> Self {
-        Self { name: name.to_owned(), value, unit: None, si: None, local: false }
+        Self {
+            name: name.to_owned(),
+            value,
+            unit: None,
+            si: None,
+            local: false,
+            transformation: Linear::IDENTITY,
+        }
     }
 }
 

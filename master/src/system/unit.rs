@@ -123,6 +123,12 @@ pub trait Unit: Send {
     /// When the unit did not get there.
     fn step(&mut self, time: f64, length: f64) -> Result<(), UnitError>;
 
+    /// The time at which the unit wants the run to end, s, after a step that failed for that reason:
+    /// that until which it came.
+    fn wish_to_end(&self) -> Option<f64> {
+        None
+    }
+
     /// Ends the run.
     ///
     /// # Errors

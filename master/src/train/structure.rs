@@ -63,6 +63,7 @@ pub fn of_scenario(scenario: &Scenario, folders: &Folders) -> Result<TrainSystem
             start: Some(0.0),
             stop: Some(scenario.duration_s),
             step: Some(scenario.step_s),
+            tolerance: scenario.fmus.tolerance,
             stages: stages.iter().map(|stage| (*stage).to_owned()).collect(),
             ..Structure::default()
         },
@@ -289,6 +290,7 @@ impl TrainSystem {
                 return Ok(Box::new(ControllerUnit::new(name, source)));
             };
             let instance = FmuInstance::new(import, name)?;
+            let instance = instance.with_tolerance(self.structure.tolerance);
             Ok(Box::new(if self.retries { instance.retrying() } else { instance }))
         };
         let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;

@@ -10,7 +10,7 @@ use crate::variables::Kind;
 ///
 /// Masters compute `k·h` in several ways, which differ by some units of the last
 /// digit (1e-16); a step left out at 1 ms is noticed up to 1e6 s.
-const TIME_TOLERANCE: f64 = 1e-9;
+pub(super) const TIME_TOLERANCE: f64 = 1e-9;
 
 impl<M: Model> Instance<M> {
     /// Takes the model from `start` over `length`, s, with the inputs constant.
