@@ -62,7 +62,7 @@ fn binary(fmu: &Path, folder: &Path, interface: &Interface) -> Vec<Finding> {
     }
     match fmi::missing_functions(&file) {
         Err(source) => {
-            let sentence = format!("the binary cannot be loaded: {source}");
+            let sentence = format!("the binary cannot be loaded: {}", fmi::reason(&source));
             vec![error("binary-can-be-loaded", location, sentence)]
         }
         Ok(missing) if !missing.is_empty() => {
@@ -77,25 +77,16 @@ fn binary(fmu: &Path, folder: &Path, interface: &Interface) -> Vec<Finding> {
     }
 }
 
-/// The finding for an FMU that has no binary at all, or only those of other platforms.
+/// The finding for an FMU that has no binary at all, or only sources or binaries of other platforms.
 fn missing_binary(folder: &Path, location: String) -> Finding {
-    let platforms: Vec<String> = std::fs::read_dir(folder.join("binaries"))
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.file_name().to_string_lossy().into_owned())
-        .collect();
-    match platforms.iter().any(|platform| location.contains(platform)) || platforms.is_empty() {
-        true => error(
-            "binary-is-there",
-            location,
-            "there is no such file; the binary must be named by `modelIdentifier`",
-        ),
-        false => Finding {
+    let has = fmi::Binaries::of(folder);
+    match has.are_elsewhere() {
+        false => error("binary-is-there", location, has.sentence()),
+        true => Finding {
             rule: "binary-is-for-this-platform",
             severity: Severity::Advice,
             location,
-            sentence: format!("there are binaries for {} only", platforms.join(", ")),
+            sentence: has.sentence(),
         },
     }
 }

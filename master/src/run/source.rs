@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use super::error::RunError;
 use crate::files::archive;
-use crate::files::file_error::FileError;
 use crate::ssp::{self, STRUCTURE_FILE, SspError};
 use crate::system::structure::{Component, Structure};
 
@@ -15,19 +14,18 @@ pub fn is_system(path: &Path) -> bool {
     matches!(extension(path).as_str(), "ssp" | "ssd" | "fmu") || is_unpacked()
 }
 
-/// The folder with the files of the system at `path`, and its structure. What is packed is unpacked into
-/// the folder `place`.
+/// The folder with the files of the system at `path`, and its structure. A package is unpacked into the
+/// folder `place`.
 ///
 /// # Errors
 /// When a file cannot be read or is wrong.
 pub fn read(path: &Path, place: &Path) -> Result<(PathBuf, Structure), RunError> {
     match extension(path).as_str() {
-        "fmu" => single(path, place),
+        "fmu" => Ok((folder_of(path), single(path))),
         "ssd" => {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-            let structure = ssp::read(&folder, &name)?;
-            Ok((folder, structure))
+            let structure = ssp::read(&folder_of(path), &name)?;
+            Ok((folder_of(path), structure))
         }
         _ if path.is_dir() => Ok((path.to_owned(), ssp::read(path, STRUCTURE_FILE)?)),
         _ => {
@@ -37,14 +35,17 @@ pub fn read(path: &Path, place: &Path) -> Result<(PathBuf, Structure), RunError>
     }
 }
 
-/// An FMU as the only component of a system, copied into the folder `place`.
-fn single(fmu: &Path, place: &Path) -> Result<(PathBuf, Structure), RunError> {
-    let name = fmu.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    std::fs::create_dir_all(place).map_err(FileError::at(place))?;
-    let source = fmu.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    std::fs::copy(fmu, place.join(&source)).map_err(FileError::at(fmu))?;
+/// An FMU as the only component of a system.
+fn single(fmu: &Path) -> Structure {
+    let text =
+        |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
+    let (name, source) = (text(fmu.file_stem()), text(fmu.file_name()));
     let component = Component { name: name.clone(), source, ..Component::default() };
-    Ok((place.to_owned(), Structure { name, components: vec![component], ..Structure::default() }))
+    Structure { name, components: vec![component], ..Structure::default() }
+}
+
+fn folder_of(file: &Path) -> PathBuf {
+    file.parent().unwrap_or(Path::new("")).to_owned()
 }
 
 fn extension(path: &Path) -> String {

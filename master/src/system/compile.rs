@@ -203,7 +203,7 @@ fn parametrise(
                 problems.push(format!("start value of {name}: a String input cannot be started"))
             }
             true => {}
-            false => set(unit.as_mut(), variable.reference, &value)?,
+            false => unit.set_value(variable.reference, &value)?,
         }
     }
     Ok(problems)
@@ -248,14 +248,5 @@ fn converted(
             )),
         },
         _ => transformed(number),
-    }
-}
-
-fn set(unit: &mut dyn Unit, reference: u32, value: &Value) -> Result<(), UnitError> {
-    match value {
-        Value::Real(value) => unit.set_reals(&[reference], &[*value]),
-        Value::Integer(value) => unit.set_integers(&[reference], &[*value]),
-        Value::Boolean(value) => unit.set_booleans(&[reference], &[i32::from(*value)]),
-        Value::Text(value) => unit.set_text(reference, value),
     }
 }

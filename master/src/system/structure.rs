@@ -3,6 +3,7 @@
 
 use std::collections::HashMap;
 
+use crate::interface::VariableType;
 use crate::interface::si::{Linear, SiUnit};
 
 /// A system of FMUs.
@@ -152,7 +153,30 @@ pub enum Value {
     Text(String),
 }
 
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Real(value) => value.fmt(f),
+            Self::Integer(value) => value.fmt(f),
+            Self::Boolean(value) => value.fmt(f),
+            Self::Text(value) => value.fmt(f),
+        }
+    }
+}
+
 impl Value {
+    /// The value of a type that a text states; none where it is no value of it.
+    pub fn parse(text: &str, kind: VariableType) -> Option<Self> {
+        Some(match (kind, text.trim()) {
+            (VariableType::Real, text) => Self::Real(text.parse().ok()?),
+            (VariableType::Integer, text) => Self::Integer(text.parse().ok()?),
+            (VariableType::Boolean, "true" | "1") => Self::Boolean(true),
+            (VariableType::Boolean, "false" | "0") => Self::Boolean(false),
+            (VariableType::Boolean, _) => return None,
+            (VariableType::Text, _) => Self::Text(text.to_owned()),
+        })
+    }
+
     /// Name of the type.
     pub fn type_name(&self) -> &'static str {
         match self {
