@@ -2,6 +2,7 @@
 //! their instances get their parameters, their schedule, and what flows between them.
 
 use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
 use std::sync::Arc;
 
 use ::controller::Gains;
@@ -234,6 +235,24 @@ pub(super) fn check_role(
 }
 
 impl TrainSystem {
+    /// The variables of the FMUs by their files, those of the controllers too.
+    ///
+    /// # Errors
+    /// When the FMU of the controllers cannot be read.
+    pub fn interfaces(&self) -> Result<HashMap<String, Interface>, PrepareError> {
+        let mut interfaces = HashMap::new();
+        for Component { source, .. } in &self.structure.components {
+            if !interfaces.contains_key(source) {
+                let interface = match self.imports.get(source) {
+                    Some(import) => import.interface().clone(),
+                    None => Import::interface_of(Path::new(source))?,
+                };
+                interfaces.insert(source.clone(), interface);
+            }
+        }
+        Ok(interfaces)
+    }
+
     /// The train alone, to ask it where its vehicles are at the start. It is not run any further.
     ///
     /// # Errors
