@@ -1,5 +1,6 @@
 //! The interface of an FMU as its modelDescription.xml states it (FMI 2.0 §2.2).
 
+mod experiment;
 pub mod name_pattern;
 #[cfg(test)]
 mod published_tests;
@@ -7,6 +8,8 @@ pub mod si;
 mod xml;
 
 use std::collections::HashMap;
+
+pub use experiment::DefaultExperiment;
 
 use crate::interface::si::SiUnit;
 
@@ -65,33 +68,6 @@ pub struct Interface {
     pub experiment: DefaultExperiment,
     variables: HashMap<String, Variable>,
     units: HashMap<String, SiUnit>,
-}
-
-/// What an FMU proposes for a run of its own (§2.2.5).
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct DefaultExperiment {
-    /// Start, s.
-    pub start: Option<f64>,
-    /// End, s.
-    pub stop: Option<f64>,
-    /// Step of the exchange, s.
-    pub step: Option<f64>,
-    /// Relative tolerance of its solver.
-    pub tolerance: Option<f64>,
-}
-
-impl From<xml::DefaultExperiment> for DefaultExperiment {
-    fn from(xml: xml::DefaultExperiment) -> Self {
-        let number =
-            |text: Option<String>| text?.trim().parse().ok().filter(|n: &f64| n.is_finite());
-        let positive = |text| number(text).filter(|number| *number > 0.0);
-        Self {
-            start: number(xml.start),
-            stop: number(xml.stop),
-            step: positive(xml.step),
-            tolerance: positive(xml.tolerance),
-        }
-    }
 }
 
 /// Why a model description cannot be used.

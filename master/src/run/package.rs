@@ -23,8 +23,9 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Sets the system at `path` up, to be run with so many threads in the folder `results`, where FMUs that
-/// come packed stay beside the results that they make.
+/// Sets the system at `path` up, to be run with so many threads in the folder `results`.
+///
+/// The FMUs of a package stay there, beside the results that they make.
 ///
 /// # Errors
 /// When the package is wrong or does not fit its FMUs.

@@ -15,11 +15,11 @@ pub fn is_system(path: &Path) -> bool {
 }
 
 /// The folder with the files of the system at `path`, and its structure. A package is unpacked into the
-/// folder `place`.
+/// folder `target`.
 ///
 /// # Errors
 /// When a file cannot be read or is wrong.
-pub fn read(path: &Path, place: &Path) -> Result<(PathBuf, Structure), RunError> {
+pub fn read(path: &Path, target: &Path) -> Result<(PathBuf, Structure), RunError> {
     match extension(path).as_str() {
         "fmu" => Ok((folder_of(path), single(path))),
         "ssd" => {
@@ -29,8 +29,8 @@ pub fn read(path: &Path, place: &Path) -> Result<(PathBuf, Structure), RunError>
         }
         _ if path.is_dir() => Ok((path.to_owned(), ssp::read(path, STRUCTURE_FILE)?)),
         _ => {
-            archive::unpack(path, place).map_err(SspError::from)?;
-            Ok((place.to_owned(), ssp::read(place, STRUCTURE_FILE)?))
+            archive::unpack(path, target).map_err(SspError::from)?;
+            Ok((target.to_owned(), ssp::read(target, STRUCTURE_FILE)?))
         }
     }
 }

@@ -1,5 +1,7 @@
-//! Start values that are bound at systems: they reach the component that their name begins with, or what
-//! the system's connector of their name is connected to (SSP 1.0.1: connectors of all kinds).
+//! Start values that are bound at systems.
+//!
+//! They reach the component that their name begins with, or what the system's connector of their name
+//! is connected to (SSP 1.0.1: connectors of all kinds).
 
 use std::collections::HashMap;
 

@@ -19,9 +19,10 @@ impl Clock {
 /// Margin of [`beyond`], in parts of the time: the roundings of ten million steps that an FMU adds up.
 const MARGIN: f64 = 1e-9;
 
-/// The stop time to announce for a run from `start` that ends at `stop`, s: a little later, since the last
-/// step t + h may end behind `stop` by rounding, and an FMU may refuse a step beyond the announced time
-/// (FMI 2.0 §2.1.6).
+/// The stop time to announce for a run from `start` that ends at `stop`, s: a little later.
+///
+/// The last step t + h may end behind `stop` by rounding, and an FMU may refuse a step beyond the
+/// announced time (FMI 2.0 §2.1.6).
 pub fn beyond(start: f64, stop: f64) -> f64 {
     stop + MARGIN * (stop - start).max(stop.abs())
 }

@@ -27,8 +27,7 @@ use std::sync::Arc;
 
 use interface::Interface;
 use logging::{Category, Logger, Sink};
-use state::{Experiment, Origin};
-use stepping::TIME_TOLERANCE;
+use state::{Experiment, Origin, TIME_TOLERANCE};
 
 use crate::calls::{Call, Phase};
 use crate::error::Error;
