@@ -61,7 +61,7 @@ fn declared_encoding(bytes: &[u8]) -> Option<Range<usize>> {
 
 /// The text with spaces in place of another encoding in its declaration.
 fn as_utf_8(mut text: String) -> String {
-    let other = |name: &Range<usize>| text[name.clone()].to_ascii_lowercase() != "utf-8";
+    let other = |name: &Range<usize>| !text[name.clone()].eq_ignore_ascii_case("utf-8");
     if let Some(name) = declared_encoding(text.as_bytes()).filter(other)
         && let Some(begin) = text[..name.start].rfind("encoding")
     {

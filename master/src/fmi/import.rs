@@ -64,14 +64,14 @@ pub enum ImportError {
         cause: libloading::Error,
     },
     /// There is no binary for this platform.
-    #[error("{file} has no binary {binary}, which this platform needs; {}", .has.sentence())]
+    #[error("{file} has no binary {binary}, which this platform needs; {has}")]
     NoBinary {
         /// FMU.
         file: String,
         /// Path inside of the FMU.
         binary: String,
         /// What it has instead.
-        has: Binaries,
+        has: String,
     },
     /// There is no room for unpacking.
     #[error("no temporary folder can be made for {file}: {source}")]
@@ -126,7 +126,8 @@ impl Import {
         let interface = read_interface(folder.path(), &file)?;
         let binary = binary_path(&interface.identifier);
         if !folder.path().join(&binary).is_file() {
-            let (binary, has) = (binary.display().to_string(), Binaries::of(folder.path()));
+            let (binary, has) =
+                (binary.display().to_string(), Binaries::of(folder.path()).sentence());
             return Err(ImportError::NoBinary { file, binary, has });
         }
         let functions = Functions::load(&folder.path().join(&binary)).map_err(|cause| {
