@@ -10,6 +10,7 @@
 //! | `facts.rs` | what the manifest states against what the units have |
 //! | `field_lost.rs` | a temperature field that is lost in a run |
 //! | `fmu_check.rs` | `hotfoot check` |
+//! | `fmu_kinds.rs` | FMUs as other tools write them |
 //! | `force_balance.rs` | forces balance between the models |
 //! | `heat_input.rs` | wrong input of the rail heat |
 //! | `hostile.rs` | FMUs that misbehave in a train |
@@ -20,6 +21,7 @@
 //! | `profile_files.rs` | profiles of vehicle files |
 //! | `rails.rs` | the heated rails |
 //! | `scenarios.rs` | every shipped scenario |
+//! | `ssp_kinds.rs` | packages as other tools write them |
 //! | `synchronisation.rs` | the controller in the whole loop |
 //! | `tools.rs` | the engineering commands |
 //!
@@ -34,6 +36,7 @@ mod examples;
 mod facts;
 mod field_lost;
 mod fmu_check;
+mod fmu_kinds;
 mod force_balance;
 mod heat_input;
 mod hostile;
@@ -44,5 +47,6 @@ mod packages;
 mod profile_files;
 mod rails;
 mod scenarios;
+mod ssp_kinds;
 mod synchronisation;
 mod tools;

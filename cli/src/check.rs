@@ -103,8 +103,7 @@ fn broken_rules(fmu: &Path) -> Vec<String> {
 
 /// What the FMU lacks for a role.
 fn unfit(fmu: &Path, role: Role) -> Result<Vec<String>> {
-    let import = Import::open(fmu)?;
-    let missing = roles::missing(import.interface(), role.into());
+    let missing = roles::missing(&Import::interface_of(fmu)?, role.into());
     if missing.is_empty() {
         println!("{} can be used as {role:?}", fmu.display());
         return Ok(vec![]);

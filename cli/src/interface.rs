@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Result;
-use hotfoot::{Interface, archive, scenario};
+use hotfoot::{Interface, archive, scenario, xml_text};
 
 /// Lists the variables of an FMU, or prints its model description.
 ///
@@ -14,7 +14,7 @@ pub fn interface(fmu: &Path, xml: bool) -> Result<()> {
     let folder = tempfile::tempdir()?;
     archive::unpack(fmu, folder.path())?;
     let file = folder.path().join("modelDescription.xml");
-    let text = std::fs::read_to_string(file)?;
+    let text = xml_text::read(&file)?;
     if xml {
         print!("{text}");
         return Ok(());

@@ -14,7 +14,7 @@ use crate::supervise;
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
 pub struct RunArguments {
-    /// Scenario: its folder or file; or an SSP package of any FMUs
+    /// Scenario: its folder or file; or any FMUs: an SSP package (.ssp, its folder, or .ssd), or one .fmu
     scenario: PathBuf,
     /// Threads for the vehicles; left out: all cores
     #[arg(long, value_parser = count)]
@@ -34,6 +34,9 @@ pub struct RunArguments {
     /// Time between two records in place of the scenario's, s; of an SSP package, left out: 0.1
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     interval: Option<f64>,
+    /// Relative tolerance for the solvers of the FMUs in place of what each proposes, such as 1e-6
+    #[arg(long, value_name = "TOLERANCE", value_parser = positive)]
+    tolerance: Option<f64>,
     /// Show no progress
     #[arg(long)]
     quiet: bool,
@@ -79,6 +82,7 @@ fn run_here(arguments: &RunArguments) -> Result<()> {
             step: arguments.step,
             interval: arguments.interval,
         },
+        tolerance: arguments.tolerance,
         quiet: arguments.quiet,
     };
     println!("{}", run::run(&arguments.scenario, &options)?);

@@ -11,7 +11,7 @@ use crate::run::default_fmus;
 /// Arguments of `hotfoot wiring`.
 #[derive(Args)]
 pub struct WiringArguments {
-    /// Scenario: its folder or file; or an SSP package of any FMUs
+    /// Scenario: its folder or file; or an SSP package (.ssp, its folder, or .ssd), or one .fmu
     scenario: PathBuf,
     /// Print a graph for Graphviz, as for `dot -Tsvg`
     #[arg(long)]

@@ -29,7 +29,7 @@ pub mod ssp;
 mod system;
 mod train;
 
-pub use files::archive;
+pub use files::{archive, xml_text};
 pub use fmi::{FmuInstance, Import, pack, watch_crashes};
 pub use interface::Interface;
 pub use run::error::RunError;

@@ -2,6 +2,7 @@
 
 pub mod fmu_copy;
 pub mod hostile;
+pub mod probe;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

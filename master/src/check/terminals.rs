@@ -6,13 +6,14 @@ use std::path::Path;
 use roxmltree::Document;
 
 use super::rule::{Finding, Severity};
+use crate::files::xml_text;
 
 /// Where the file lies in an FMU.
 pub const FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
 
 /// Checks the file where there is one: it must be XML, and name variables that there are.
 pub fn check(folder: &Path, description: &str) -> Vec<Finding> {
-    let Ok(text) = std::fs::read_to_string(folder.join(FILE)) else {
+    let Ok(text) = xml_text::read(&folder.join(FILE)) else {
         return vec![];
     };
     let error =

@@ -124,14 +124,15 @@ pub fn uncommon_entries(archive: &Path) -> Result<Vec<(String, String)>, Archive
     Ok(uncommon)
 }
 
-/// The entry's path if it stays inside of the folder it is unpacked to.
+/// The entry's path if it stays inside of the folder it is unpacked to. Some tools of Windows write
+/// backslashes between folders, which the format does not allow (APPNOTE 4.4.17.1).
 fn safe_path(entry: &str) -> Option<PathBuf> {
-    if entry.contains('\\') || entry.contains(':') || entry.contains('\0') {
+    if entry.contains(':') || entry.contains('\0') {
         return None;
     }
-    let path = Path::new(entry);
+    let path = PathBuf::from(entry.replace('\\', "/"));
     let inside = path.components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
-    inside.then(|| path.to_path_buf())
+    inside.then_some(path)
 }
 
 /// Packs the files below `folder` into `archive`, in the order of their names and without
@@ -203,12 +204,22 @@ mod tests {
 
     #[test]
     fn entries_that_lead_outside_are_refused() {
-        for name in ["../../x", "/etc/x", "a/../../x", "c:\\x", "a\\..\\x"] {
+        for name in ["../../x", "/etc/x", "a/../../x", "c:\\x", "a\\..\\x", "\\etc\\x"] {
             let folder = tempfile::tempdir().unwrap();
             let path = archive_with(name, SimpleFileOptions::default(), folder.path());
             let error = unpack(&path, &folder.path().join("target")).unwrap_err();
             assert!(matches!(error, ArchiveError::Unsafe { .. }), "{name}: {error}");
         }
+    }
+
+    #[test]
+    fn backslashes_between_folders_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let name = "binaries\\linux64\\x.so";
+        let path = archive_with(name, SimpleFileOptions::default(), folder.path());
+        let target = folder.path().join("target");
+        unpack(&path, &target).unwrap();
+        assert_eq!(fs::read(target.join("binaries/linux64/x.so")).unwrap(), b"content");
     }
 
     #[test]

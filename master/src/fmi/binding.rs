@@ -1,5 +1,6 @@
 //! The C functions of an FMI 2.0 co-simulation FMU (FMI 2.0 §2.1, §4.2).
 
+use std::error::Error;
 use std::ffi::{c_char, c_double, c_int, c_uint, c_void};
 use std::path::Path;
 
@@ -163,6 +164,14 @@ pub fn missing_functions(binary: &Path) -> Result<Vec<String>, libloading::Error
     let lacks = |name: &[u8]| unsafe { library.get::<unsafe extern "C" fn()>(name) }.is_err();
     let names = CALLED.iter().chain(ALSO_REQUIRED).filter(|name| lacks(name));
     Ok(names.map(|name| String::from_utf8_lossy(name).into_owned()).collect())
+}
+
+/// Why a binary cannot be loaded, as the system says: which library or function is missing.
+pub fn reason(error: &libloading::Error) -> String {
+    match error.source() {
+        Some(source) => source.to_string(),
+        None => error.to_string(),
+    }
 }
 
 /// The name of a status.

@@ -33,10 +33,10 @@ pub struct Description {
 /// When the binary cannot be loaded, is not one of Hotfoot's, or refuses the resources.
 pub fn describe(binary: &Path, resources: &Path) -> Result<Description, ImportError> {
     let file = binary.display().to_string();
-    let not_ours = |source| ImportError::Binary {
+    let not_ours = |cause| ImportError::Binary {
         file: file.clone(),
         binary: "that describes itself (only Hotfoot's own can be packed)".to_owned(),
-        source,
+        cause,
     };
     // SAFETY: loading runs the binary's initialisers; the user has chosen the file.
     let library = unsafe { Library::new(binary) }.map_err(not_ours)?;

@@ -24,6 +24,10 @@ pub struct FmuInstance {
     /// Name and file, for the message of a crash.
     label: CString,
     component: Component,
+    /// Relative tolerance that it is told.
+    pub(super) tolerance: Option<f64>,
+    /// The time at which it wants the run to end, once it does.
+    pub(super) wish_to_end: Option<f64>,
     /// Whether a discarded step is tried again in parts.
     pub(super) retries: bool,
     /// The state before the last step, if discarded steps are tried again.
@@ -70,6 +74,8 @@ impl FmuInstance {
             name: name.to_owned(),
             label,
             component,
+            tolerance: import.interface().experiment.tolerance,
+            wish_to_end: None,
             retries: false,
             slot: StateSlot::default(),
             messages,
@@ -79,6 +85,13 @@ impl FmuInstance {
             return Err(instance.error("fmi2Instantiate".to_owned(), None));
         }
         Ok(instance)
+    }
+
+    /// The instance with another relative tolerance than its FMU proposes; none: that.
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: Option<f64>) -> Self {
+        self.tolerance = tolerance.or(self.tolerance);
+        self
     }
 
     /// Lets a step that the FMU discards be tried again in parts, from the state before it. An FMU

@@ -5,6 +5,7 @@
 //! | `binding.rs` | the C functions of an FMU's binary |
 //! | `crash.rs`, `crash.c` | which FMU was at work when the program crashes |
 //! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
+//! | `binaries.rs` | what an unpacked FMU has to be run with |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
 //! | `origins.rs` | what its resources are copies of |
@@ -18,6 +19,7 @@
 
 #![allow(unsafe_code)]
 
+mod binaries;
 mod binding;
 mod callbacks;
 mod crash;
@@ -31,7 +33,8 @@ mod resource_paths;
 mod step;
 mod unit;
 
-pub use binding::missing_functions;
+pub use binaries::Binaries;
+pub use binding::{missing_functions, reason};
 pub use crash::watch as watch_crashes;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};

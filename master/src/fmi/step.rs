@@ -33,6 +33,13 @@ impl FmuInstance {
         }
         match self.do_step(time, length)? {
             Outcome::Done => Ok(()),
+            Outcome::Discarded if self.wants_to_end() => {
+                let reached = self.last_successful_time();
+                // A time outside of the step is none that it has come to.
+                let reached = reached.filter(|t| (time..=time + length).contains(t));
+                self.wish_to_end = Some(reached.unwrap_or(time));
+                Err(self.discarded(time, length, ""))
+            }
             Outcome::Discarded if self.retries => self.retry(time, length),
             Outcome::Discarded => Err(self.discarded(time, length, "")),
         }
@@ -120,8 +127,7 @@ impl FmuInstance {
             Some(reached) => format!(", done until {reached} s,"),
             None => String::new(),
         };
-        let end = if self.wants_to_end() { " (the FMU wants the simulation to end)" } else { "" };
-        let detail = |_: &Self| format!(" from {time} s by {length} s{tried}{reached}{end}");
+        let detail = |_: &Self| format!(" from {time} s by {length} s{tried}{reached}");
         self.failed(c"fmi2DoStep", detail, DISCARD)
     }
 

@@ -78,10 +78,12 @@ impl Unit for FmuInstance {
     }
 
     fn enter_initialization(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {
+        let (stated, tolerance) =
+            (i32::from(self.tolerance.is_some()), self.tolerance.unwrap_or(0.0));
         self.call(
             c"fmi2SetupExperiment",
             // SAFETY: the instance is alive.
-            |f, c| unsafe { (f.setup_experiment)(c, 0, 0.0, start, 1, stop) },
+            |f, c| unsafe { (f.setup_experiment)(c, stated, tolerance, start, 1, stop) },
             |_| format!(" from {start} s to {stop} s"),
         )?;
         self.call(
@@ -103,6 +105,10 @@ impl Unit for FmuInstance {
 
     fn step(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
         self.step_or_retry(time, length)
+    }
+
+    fn wish_to_end(&self) -> Option<f64> {
+        self.wish_to_end
     }
 
     fn terminate(&mut self) -> Result<(), UnitError> {

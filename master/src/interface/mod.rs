@@ -1,5 +1,6 @@
 //! The interface of an FMU as its modelDescription.xml states it (FMI 2.0 §2.2).
 
+mod experiment;
 pub mod name_pattern;
 #[cfg(test)]
 mod published_tests;
@@ -7,6 +8,8 @@ pub mod si;
 mod xml;
 
 use std::collections::HashMap;
+
+pub use experiment::DefaultExperiment;
 
 use crate::interface::si::SiUnit;
 
@@ -34,6 +37,8 @@ pub struct Variable {
     pub kind: VariableType,
     /// `parameter`, `input`, `output`, `local`, …
     pub causality: String,
+    /// Whether it changes in steps only; what is no Real always does.
+    pub discrete: bool,
     /// Unit of a Real, where stated.
     pub unit: Option<String>,
     /// What that unit is in SI base units, where the model description traces it to them.
@@ -59,6 +64,8 @@ pub struct Interface {
     pub can_get_and_set_state: bool,
     /// Whether steps may differ in length.
     pub variable_step: bool,
+    /// What it proposes for a run.
+    pub experiment: DefaultExperiment,
     variables: HashMap<String, Variable>,
     units: HashMap<String, SiUnit>,
 }
@@ -97,6 +104,7 @@ impl Interface {
             once_per_process: slave.once_per_process,
             can_get_and_set_state: slave.can_get_and_set_state,
             variable_step: slave.variable_step,
+            experiment: root.default_experiment.into(),
             variables: variables.filter_map(|scalar| variable(scalar, &units)).collect(),
             units: units.units,
         })
@@ -200,6 +208,8 @@ fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Varia
         reference: scalar.value_reference,
         kind,
         causality: scalar.causality,
+        discrete: kind != VariableType::Real
+            || !matches!(scalar.variability.as_str(), "" | "continuous"),
         unit,
         si,
         start,

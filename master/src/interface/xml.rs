@@ -18,8 +18,23 @@ pub struct ModelDescription {
     pub unit_definitions: Option<UnitDefinitions>,
     #[serde(rename = "TypeDefinitions")]
     pub type_definitions: Option<TypeDefinitions>,
+    #[serde(rename = "DefaultExperiment", default)]
+    pub default_experiment: DefaultExperiment,
     #[serde(rename = "ModelVariables")]
     pub model_variables: ModelVariables,
+}
+
+/// Numbers as they are written: what makes no sense is as if it were not there.
+#[derive(Default, Deserialize)]
+pub struct DefaultExperiment {
+    #[serde(rename = "@startTime")]
+    pub start: Option<String>,
+    #[serde(rename = "@stopTime")]
+    pub stop: Option<String>,
+    #[serde(rename = "@stepSize")]
+    pub step: Option<String>,
+    #[serde(rename = "@tolerance")]
+    pub tolerance: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -117,6 +132,8 @@ pub struct ScalarVariable {
     pub value_reference: u32,
     #[serde(rename = "@causality", default = "local")]
     pub causality: String,
+    #[serde(rename = "@variability", default)]
+    pub variability: String,
     #[serde(rename = "@description", default)]
     pub description: String,
     #[serde(rename = "Real")]

@@ -43,7 +43,7 @@ pub enum RunError {
     #[error(transparent)]
     Threads(#[from] ThreadsError),
     /// The units cannot be initialised.
-    #[error("initialisation: {0}")]
+    #[error(transparent)]
     Start(#[from] StartError),
     /// A unit failed while running; what was recorded before is kept.
     #[error(

@@ -3,7 +3,7 @@
 //! | file | part |
 //! |---|---|
 //! | `mod.rs` | the run |
-//! | `setup.rs`, `scenario.rs`, `package.rs` | what is run |
+//! | `setup.rs`, `scenario.rs`, `package.rs`, `source.rs` | what is run |
 //! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
 //! | `after.rs` | what the rails go through after the run |
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
@@ -28,6 +28,7 @@ mod progress;
 mod recorder;
 pub mod scenario;
 mod setup;
+mod source;
 mod sources;
 mod step_table;
 mod train_tables;
@@ -52,6 +53,7 @@ use workplace::Workplace;
 use crate::report::{self, MainFigure};
 use crate::scenario::Times;
 use crate::system::parallel;
+use crate::system::step::WishToEnd;
 use crate::system::times::Stopwatch;
 use crate::system::unit::{take_warnings, terminate};
 use crate::train::fmus::Folders;
@@ -67,24 +69,23 @@ pub struct Options {
     pub fmus: PathBuf,
     /// Times instead of the scenario's or the package's.
     pub times: Times,
+    /// Relative tolerance that the FMUs are told instead of their own.
+    pub tolerance: Option<f64>,
     /// No progress bar.
     pub quiet: bool,
 }
 
-/// Whether a file is an SSP package; otherwise it is a scenario.
-pub fn is_package(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension == "ssp")
-}
-
-/// Runs a scenario or the system in a package.
+/// Runs a scenario, the system in a package, or a single FMU.
 ///
 /// # Errors
 /// When the scenario or package is wrong or a unit fails.
 pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     let open = |file: &Path| Workplace::open(options.threads, options.results.as_deref(), file);
-    if is_package(path) {
+    if source::is_system(path) {
         let workplace = open(path)?;
-        let setup = package::setup(path, &workplace.results, &options.times, workplace.threads)?;
+        let Options { times, tolerance, .. } = options;
+        let Workplace { results, threads, .. } = &workplace;
+        let setup = package::setup(path, results, (times, *tolerance), *threads)?;
         return in_workplace(setup, &workplace, options.quiet);
     }
     let (mut scenario, file, text) = crate::scenario::load(path)?;
@@ -92,6 +93,7 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
         RunError::check_time(option, value)?;
     }
     options.times.replace_in(&mut scenario, &file)?;
+    scenario.fmus.tolerance = options.tolerance.or(scenario.fmus.tolerance);
     let workplace = open(&file)?;
     let folders = Folders { fmus: options.fmus.clone(), results: workplace.results.clone() };
     let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
@@ -148,10 +150,14 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
         Stepping { setup, recorder: &mut recorder, progress: &mut progress, live: &live };
     let outcome = stepping.run(steps);
     let wall = begin.elapsed();
-    let outcome = outcome.and_then(|()| {
+    let outcome = outcome.and_then(|end| {
+        if let Some(end) = end {
+            return Ok(Some(end));
+        }
         let Setup { system, rails, .. } = &mut *setup;
         let mut run = Continued { system, recorder: &mut recorder, progress: &mut progress };
-        rails.continue_after_run(&mut run, rails_run)
+        rails.continue_after_run(&mut run, rails_run)?;
+        Ok(None)
     });
     setup.system.times.after = begin.elapsed() - wall;
     progress.finish();
@@ -163,10 +169,17 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     recorder.finish()?;
     let end = terminate(system.units_mut());
     manifest.warnings.extend(take_warnings(system.units_mut()));
+    if let Ok(Some(WishToEnd { of, time, .. })) = &outcome {
+        manifest.warnings.push(format!("the run ended at {time} s, because {of} wanted it to end"));
+    }
     if let Some(run) = &mut manifest.run {
         run.warnings.clone_from(&manifest.warnings);
     }
-    let reached = outcome.as_ref().map_or_else(|failed| failed.time, |()| rails_end);
+    let (reached, rails_end) = match &outcome {
+        Ok(None) => (rails_end, rails_end),
+        Ok(Some(end)) => (end.time, end.time),
+        Err(failed) => (failed.time, rails_end),
+    };
     let simulated = reached.min(clock.at(steps)) - clock.start;
     manifest.finish(simulated, wall, system, stages);
     manifest.write(results)?;
@@ -184,13 +197,22 @@ struct Stepping<'r> {
 }
 
 impl Stepping<'_> {
-    /// Takes all units through the steps of the run.
-    fn run(&mut self, steps: u64) -> Result<(), FailedStep> {
+    /// Takes all units through the steps of the run, or until one of them wants it to end.
+    fn run(&mut self, steps: u64) -> Result<Option<WishToEnd>, FailedStep> {
         for k in 0..steps {
             let time = self.setup.system.clock.at(k);
-            self.step(k).map_err(|source| FailedStep { time, source })?;
+            let failed = |source| FailedStep { time, source };
+            let Err(source) = self.step(k) else { continue };
+            let system = &mut self.setup.system;
+            let end = match &source {
+                StepFailure::Unit(error) => system.wish_to_end(error),
+                StepFailure::Observe(_) => None,
+            };
+            let end = end.ok_or_else(|| failed(source))?;
+            self.recorder.record_end(k, &end, system).map_err(|error| failed(error.into()))?;
+            return Ok(Some(end));
         }
-        Ok(())
+        Ok(None)
     }
 
     fn step(&mut self, k: u64) -> Result<(), StepFailure> {

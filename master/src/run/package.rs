@@ -1,19 +1,20 @@
-//! The run of an SSP package.
+//! The run of a system of FMUs without a scenario.
 
 use std::path::Path;
 
 use super::after::Rails;
 use super::error::RunError;
 use super::manifest::{Manifest, component_facts};
-use super::output_table::renamed;
+use super::output_table::{renamed, table_name};
 use super::setup::{Setup, Subject};
-use crate::files::archive;
+use super::source;
 use crate::report::SystemFacts;
 use crate::scenario::Times;
-use crate::ssp::{self, SspError};
+use crate::ssp;
 use crate::system::clock::Clock;
 use crate::system::step::System;
 use crate::system::structure::Structure;
+use crate::system::unit::Unit;
 
 /// Step where neither the package nor the user names one, s.
 const DEFAULT_STEP: f64 = 1e-3;
@@ -22,25 +23,35 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Sets the package at `path` up, to be run with so many threads in the folder `results`, where its
-/// FMUs stay beside the results that they make.
+/// Sets the system at `path` up, to be run with so many threads in the folder `results`.
+///
+/// The FMUs of a package stay there, beside the results that they make.
 ///
 /// # Errors
 /// When the package is wrong or does not fit its FMUs.
 pub fn setup(
     path: &Path,
     results: &Path,
-    times: &Times,
+    (times, tolerance): (&Times, Option<f64>),
     threads: usize,
 ) -> Result<Setup, RunError> {
-    let package = results.join("package");
-    archive::unpack(path, &package).map_err(SspError::from)?;
-    let structure = ssp::read(&package)?;
-    let (clock, steps, every) = times_of(&structure, times)?;
+    let (folder, mut structure) = source::read(path, &results.join("package"))?;
     let file = path.display().to_string();
-    let system = ssp::open(&structure, &package, &file, clock)?;
+    let imports = ssp::imports(&structure, &folder, &file)?;
+    ssp::leave_out_unmatched(&mut structure, &imports);
+    structure.tolerance = tolerance;
+    if let ([component], None) = (structure.components.as_slice(), structure.stop) {
+        let proposed = imports[&component.source].interface().experiment;
+        structure.start = structure.start.or(proposed.start);
+        structure.stop = proposed.stop.filter(|stop| *stop > structure.start.unwrap_or(0.0));
+        structure.step = structure.step.or(proposed.step);
+    }
+    let (clock, steps, every) = times_of(&structure, times)?;
+    let system = ssp::open(&structure, &imports, &file, clock)?;
     let mut manifest = Manifest::new(&system);
-    manifest.warnings = renamed(&system);
+    manifest.warnings.clone_from(&structure.notes);
+    manifest.warnings.extend(renamed(&system));
+    manifest.warnings.extend(without_outputs(&system));
     manifest.system = Some(SystemFacts {
         name: structure.name.clone(),
         package: file,
@@ -54,6 +65,16 @@ pub fn setup(
     let stages = stage_names(&structure, &system);
     let (stop, subject) = (clock.at(steps), Subject::Package(every));
     Ok(Setup { system, stages, steps, stop, subject, rails: Rails::default(), manifest })
+}
+
+/// Says of which components nothing is recorded.
+fn without_outputs(system: &System) -> Vec<String> {
+    let silent = system.units().filter(|unit| table_name(*unit).is_none());
+    let sentence = |unit: &dyn Unit| {
+        let (name, file) = (unit.name(), unit.source_file());
+        format!("{name} ({file}) has no outputs that are numbers: nothing of it is recorded")
+    };
+    silent.map(sentence).collect()
 }
 
 /// The communication points, the number of steps, and how many there are a record: what the user says,

@@ -45,7 +45,7 @@ pub fn scenario_name(file: &Path) -> String {
     let absolute = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let folder = absolute.parent().and_then(Path::file_name);
     match (stem.as_str(), folder) {
-        ("scenario", Some(folder)) => folder.to_string_lossy().into_owned(),
+        ("scenario" | "SystemStructure", Some(folder)) => folder.to_string_lossy().into_owned(),
         _ => stem,
     }
 }

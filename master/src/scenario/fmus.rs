@@ -33,6 +33,9 @@ pub struct Fmus {
     /// Each try begins from the state before the step, which costs a saved state of every FMU in each step.
     #[garde(skip)]
     pub retry_discarded_steps: bool,
+    /// Relative tolerance of the FMUs' solvers; left out: what each FMU proposes.
+    #[garde(inner(range(min = 1e-15, max = 1.0)))]
+    pub tolerance: Option<f64>,
 }
 
 /// An FMU, or other parameters, for one vehicle.

@@ -34,6 +34,7 @@ impl Mock {
             reference: i as u32,
             kind: VariableType::Real,
             causality: (*causality).to_owned(),
+            discrete: false,
             unit: None,
             si: None,
             start: None,

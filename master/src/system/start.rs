@@ -1,6 +1,7 @@
 //! The start of a system: the initialisation of all units, with initial values that flow from
 //! outputs to inputs until nothing changes any more.
 
+use super::clock::beyond;
 use super::parallel;
 use super::signals::Signals;
 use super::step::{Stage, System};
@@ -44,7 +45,7 @@ impl System {
         let start = self.clock.start;
         let mut parts: Vec<_> = self.parts.iter_mut().enumerate().collect();
         parallel::for_each(&mut parts, |(number, part)| {
-            part.unit.enter_initialization(start, stop(*number))?;
+            part.unit.enter_initialization(start, beyond(start, stop(*number)))?;
             part.starts.set(part.unit.as_mut())
         })?;
         self.settle()?;

@@ -29,6 +29,17 @@ pub struct System {
     numbers: HashMap<String, usize>,
 }
 
+/// A unit wants the run to end.
+#[derive(Debug)]
+pub struct WishToEnd {
+    /// Number of its part.
+    pub part: usize,
+    /// Its name and file.
+    pub of: String,
+    /// The time until which it came, s.
+    pub time: f64,
+}
+
 /// Units that step together, and what they take before.
 pub(super) struct Stage {
     /// Numbers of its parts: first those whose steps are too short for a thread of their own.
@@ -73,6 +84,14 @@ impl System {
             *time += watch.lap();
         }
         Ok(())
+    }
+
+    /// The wish of the unit whose step failed with this error, if it failed to end the run.
+    pub fn wish_to_end(&self, error: &UnitError) -> Option<WishToEnd> {
+        let part = self.number(&error.instance)?;
+        let unit = self.parts[part].unit.as_ref();
+        let of = format!("{} ({})", unit.name(), unit.source_file());
+        unit.wish_to_end().map(|time| WishToEnd { part, of, time })
     }
 
     /// The number of the part of that name.

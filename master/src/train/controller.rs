@@ -42,6 +42,7 @@ pub fn interface() -> Interface {
         reference,
         kind: VariableType::Real,
         causality: causality.to_owned(),
+        discrete: false,
         unit: None,
         si: None,
         start: None,

@@ -11,7 +11,7 @@ use super::roles::tables::SIDES;
 use super::roles::{self, Names, Role};
 use super::structure::{Builder, RAIL_STAGE, check_role};
 use crate::fmi::Import;
-use crate::interface::{Interface, Variable};
+use crate::interface::Interface;
 use crate::scenario::{Heat, Scenario};
 use crate::system::step::System;
 use crate::system::structure::{Parameter, Value};
@@ -70,10 +70,7 @@ impl Builder<'_> {
             text("field_failure", heat.field_failure.word()),
             text("model", &heat.model),
         ];
-        let needs = |Parameter { name, value, .. }: &Parameter| {
-            import.interface().variable(name).is_some_and(|variable| !starts_as(variable, value))
-        };
-        parameters.retain(needs);
+        parameters.retain(|parameter| import.interface().variable(&parameter.name).is_some());
         for (name, value) in &heat.parameters {
             parameters.push(parameter(import, "heat.parameters", name, value)?);
         }
@@ -170,10 +167,4 @@ impl RailInForce {
         }
         Ok(in_force)
     }
-}
-
-/// Whether a text is what a variable has anyway. It is not stated then: of the tools that run a package,
-/// FMPy's `simulate_ssp` sets no texts.
-fn starts_as(variable: &Variable, value: &Value) -> bool {
-    matches!(value, Value::Text(text) if variable.start.as_ref() == Some(text))
 }

@@ -2,6 +2,7 @@
 //! their instances get their parameters, their schedule, and what flows between them.
 
 use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
 use std::sync::Arc;
 
 use ::controller::Gains;
@@ -63,6 +64,7 @@ pub fn of_scenario(scenario: &Scenario, folders: &Folders) -> Result<TrainSystem
             start: Some(0.0),
             stop: Some(scenario.duration_s),
             step: Some(scenario.step_s),
+            tolerance: scenario.fmus.tolerance,
             stages: stages.iter().map(|stage| (*stage).to_owned()).collect(),
             ..Structure::default()
         },
@@ -233,6 +235,24 @@ pub(super) fn check_role(
 }
 
 impl TrainSystem {
+    /// The variables of the FMUs by their files, those of the controllers too.
+    ///
+    /// # Errors
+    /// When the FMU of the controllers cannot be read.
+    pub fn interfaces(&self) -> Result<HashMap<String, Interface>, PrepareError> {
+        let mut interfaces = HashMap::new();
+        for Component { source, .. } in &self.structure.components {
+            if !interfaces.contains_key(source) {
+                let interface = match self.imports.get(source) {
+                    Some(import) => import.interface().clone(),
+                    None => Import::interface_of(Path::new(source))?,
+                };
+                interfaces.insert(source.clone(), interface);
+            }
+        }
+        Ok(interfaces)
+    }
+
     /// The train alone, to ask it where its vehicles are at the start. It is not run any further.
     ///
     /// # Errors
@@ -289,6 +309,7 @@ impl TrainSystem {
                 return Ok(Box::new(ControllerUnit::new(name, source)));
             };
             let instance = FmuInstance::new(import, name)?;
+            let instance = instance.with_tolerance(self.structure.tolerance);
             Ok(Box::new(if self.retries { instance.retrying() } else { instance }))
         };
         let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
