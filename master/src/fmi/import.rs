@@ -8,6 +8,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
 use super::binding::Functions;
+use super::guard::environment::Environment;
+use super::messages::Messages;
 use super::origins::Origins;
 use crate::files::archive::{self, ArchiveError};
 use crate::interface::{Interface, InterfaceError};
@@ -92,6 +94,10 @@ pub struct Import {
     file: String,
     interface: Interface,
     pub(super) functions: Functions,
+    /// The loaded binary.
+    binary: PathBuf,
+    /// What loading it did to how the processor computes.
+    change: Option<String>,
     /// Keeps the unpacked files.
     folder: tempfile::TempDir,
     /// What the resources are copies of.
@@ -123,11 +129,17 @@ impl Import {
         archive::unpack(path, folder.path())?;
         let interface = read_interface(folder.path(), &file)?;
         let binary = binary_path(&interface.identifier);
-        let functions = Functions::load(&folder.path().join(&binary)).map_err(|source| {
-            ImportError::Binary { file: file.clone(), binary: binary.display().to_string(), source }
+        let full = folder.path().join(&binary);
+        let before = Environment::now();
+        let functions = Functions::load(&full);
+        let change = before.put_back();
+        let functions = functions.map_err(|source| ImportError::Binary {
+            file: file.clone(),
+            binary: binary.display().to_string(),
+            source,
         })?;
-        let fatal = AtomicBool::new(false);
-        Ok(Arc::new(Self { file, interface, functions, folder, origins, fatal }))
+        let (binary, fatal) = (full, AtomicBool::new(false));
+        Ok(Arc::new(Self { file, interface, functions, binary, change, folder, origins, fatal }))
     }
 
     /// What the model description says.
@@ -138,6 +150,18 @@ impl Import {
     /// The FMU's file.
     pub fn file(&self) -> &str {
         &self.file
+    }
+
+    /// The loaded binary.
+    pub(super) fn binary(&self) -> &Path {
+        &self.binary
+    }
+
+    /// Notes for an instance what loading the binary did to how the processor computes.
+    pub(super) fn tell_loading(&self, messages: &Messages) {
+        if let Some(change) = &self.change {
+            messages.note_environment(&format!("loading its binary left {change}"));
+        }
     }
 
     /// Notes that an instance has returned `fmi2Fatal`.

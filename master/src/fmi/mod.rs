@@ -4,8 +4,9 @@
 //! |---|---|
 //! | `binding.rs` | the C functions of an FMU's binary |
 //! | `crash.rs`, `crash.c` | which FMU was at work when the program crashes |
-//! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
+//! | `callbacks.rs`, `messages.rs` | the functions that an FMU calls: logger, memory; what it logs |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
+//! | `guard/` | what is checked around every call |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
 //! | `origins.rs` | what its resources are copies of |
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
@@ -23,8 +24,10 @@ mod callbacks;
 mod crash;
 mod describe;
 mod documentation;
+mod guard;
 mod import;
 mod instance;
+mod messages;
 mod origins;
 pub mod pack;
 mod resource_paths;
