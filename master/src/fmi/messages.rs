@@ -92,7 +92,8 @@ impl Messages {
     /// of the last instance of all.
     fn addressed(environment: usize, caller: &Path) -> Option<&'static Self> {
         let stores = lock(&STORES);
-        let known = || stores.iter().find(|store| std::ptr::from_ref(**store).addr() == environment);
+        let known =
+            || stores.iter().find(|store| std::ptr::from_ref(**store).addr() == environment);
         let of_binary = || stores.iter().rev().find(|store| store.binary == caller);
         let called = CALLED.try_with(Cell::get).ok().flatten();
         let found = known().copied().or(called);

@@ -3,15 +3,17 @@
 pub mod name_pattern;
 #[cfg(test)]
 mod published_tests;
+pub mod range;
 pub mod si;
 mod xml;
 
 use std::collections::HashMap;
 
+use crate::interface::range::Range;
 use crate::interface::si::SiUnit;
 
 /// Type of a variable.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum VariableType {
     /// Real.
     Real,
@@ -38,6 +40,8 @@ pub struct Variable {
     pub unit: Option<String>,
     /// What that unit is in SI base units, where the model description traces it to them.
     pub si: Option<SiUnit>,
+    /// What it may be, by itself or its declared type.
+    pub range: Range,
     /// Start value as it is written, where one is stated.
     pub start: Option<String>,
     /// Description, empty where none is stated.
@@ -154,10 +158,10 @@ impl Interface {
     }
 }
 
-/// The units that a model description defines, and the declared types that have one.
+/// The units that a model description defines, and the declared types.
 struct Units {
     units: HashMap<String, SiUnit>,
-    of_type: HashMap<String, xml::Real>,
+    of_type: HashMap<String, xml::SimpleType>,
 }
 
 impl Units {
@@ -166,14 +170,19 @@ impl Units {
         let types = types.map(|list| list.types).unwrap_or_default().into_iter();
         Self {
             units: units.filter_map(|unit| Some((unit.name, unit.base?.si()?))).collect(),
-            of_type: types.filter_map(|simple| Some((simple.name, simple.real?))).collect(),
+            of_type: types.map(|simple| (simple.name.clone(), simple)).collect(),
         }
     }
 
+    /// The type that a variable declares.
+    fn declared(&self, name: &Option<String>) -> Option<&xml::SimpleType> {
+        self.of_type.get(name.as_ref()?)
+    }
+
     /// Unit of a Real variable, from itself or its declared type, and what it is in SI.
-    fn of_real(&self, real: xml::Real) -> (Option<String>, Option<SiUnit>) {
-        let declared = real.declared_type.as_ref().and_then(|name| self.of_type.get(name));
-        let unit = real.unit.or_else(|| declared?.unit.clone());
+    fn of_real(&self, real: &xml::Real) -> (Option<String>, Option<SiUnit>) {
+        let declared = self.declared(&real.declared_type).and_then(|simple| simple.real.as_ref());
+        let unit = real.unit.clone().or_else(|| declared?.unit.clone());
         let relative = real.relative || declared.is_some_and(|declared| declared.relative);
         let mut si = unit.as_ref().and_then(|name| self.units.get(name).copied());
         if let (Some(si), true) = (&mut si, relative) {
@@ -182,13 +191,37 @@ impl Units {
         }
         (unit, si)
     }
+
+    /// What a Real may be, by itself or its declared type.
+    fn range_of_real(&self, real: &xml::Real) -> Range {
+        let declared = self.declared(&real.declared_type).and_then(|simple| simple.real.as_ref());
+        let min = real.min.as_ref().or_else(|| declared?.min.as_ref());
+        let max = real.max.as_ref().or_else(|| declared?.max.as_ref());
+        Range::stated(number(min), number(max))
+    }
+
+    /// What an Integer or Enumeration may be, by itself or its declared type.
+    fn range_of_integer(&self, integer: &xml::Other) -> Range {
+        let declared =
+            self.declared(&integer.declared_type).and_then(|simple| simple.integer.as_ref());
+        let min = integer.min.as_ref().or_else(|| declared?.min.as_ref());
+        let max = integer.max.as_ref().or_else(|| declared?.max.as_ref());
+        Range::stated(number(min), number(max))
+    }
+}
+
+/// The number that an attribute states.
+fn number(text: Option<&String>) -> Option<f64> {
+    text?.trim().parse().ok()
 }
 
 fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Variable)> {
-    let ((unit, si), kind, start) = if let Some(mut real) = scalar.real {
-        let start = real.start.take();
-        (units.of_real(real), VariableType::Real, start)
+    let mut range = Range::FINITE;
+    let ((unit, si), kind, start) = if let Some(real) = scalar.real {
+        range = units.range_of_real(&real);
+        (units.of_real(&real), VariableType::Real, real.start)
     } else if let Some(integer) = scalar.integer.or(scalar.enumeration) {
+        range = units.range_of_integer(&integer);
         ((None, None), VariableType::Integer, integer.start)
     } else if let Some(boolean) = scalar.boolean {
         ((None, None), VariableType::Boolean, boolean.start)
@@ -202,6 +235,7 @@ fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Varia
         causality: scalar.causality,
         unit,
         si,
+        range,
         start,
         description: scalar.description,
     };

@@ -51,9 +51,10 @@ use workplace::Workplace;
 
 use crate::report::{self, MainFigure};
 use crate::scenario::Times;
+use crate::system::checks::Checks;
 use crate::system::parallel;
 use crate::system::times::Stopwatch;
-use crate::system::unit::{take_warnings, terminate};
+use crate::system::unit::terminate;
 use crate::train::fmus::Folders;
 
 /// How a scenario or a package is run.
@@ -67,6 +68,10 @@ pub struct Options {
     pub fmus: PathBuf,
     /// Times instead of the scenario's or the package's.
     pub times: Times,
+    /// What becomes of values that cannot be, in place of what the scenario says.
+    pub checks: Option<Checks>,
+    /// Whether every FMU of a package, and every one that a scenario names, has a thread of its own.
+    pub same_thread: bool,
     /// No progress bar.
     pub quiet: bool,
 }
@@ -84,28 +89,35 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     let open = |file: &Path| Workplace::open(options.threads, options.results.as_deref(), file);
     if is_package(path) {
         let workplace = open(path)?;
-        let setup = package::setup(path, &workplace.results, &options.times, workplace.threads)?;
-        return in_workplace(setup, &workplace, options.quiet);
+        return workplace.pool.install(|| {
+            let setup = package::setup(path, options, &workplace)?;
+            in_workplace(setup, &workplace, options.quiet)
+        });
     }
     let (mut scenario, file, text) = crate::scenario::load(path)?;
     for (option, value) in options.times.stated() {
         RunError::check_time(option, value)?;
     }
     options.times.replace_in(&mut scenario, &file)?;
+    scenario.checks = options.checks.or(scenario.checks);
+    scenario.fmus.same_thread |= options.same_thread;
     let workplace = open(&file)?;
     let folders = Folders { fmus: options.fmus.clone(), results: workplace.results.clone() };
-    let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
-    in_workplace(setup, &workplace, options.quiet)
+    // With one thread all that an FMU sees, from loading to freeing, happens on it.
+    workplace.pool.install(|| {
+        let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
+        in_workplace(setup, &workplace, options.quiet)
+    })
 }
 
-/// Runs what is set up, and writes its report.
+/// Runs what is set up, on the threads of the workplace, and writes its report.
 fn in_workplace(
     mut setup: Setup,
     workplace: &Workplace,
     quiet: bool,
 ) -> Result<Finished, RunError> {
-    let Workplace { threads, pool, results } = workplace;
-    let done = pool.install(|| perform(&mut setup, results, quiet))?;
+    let Workplace { threads, results, .. } = workplace;
+    let done = perform(&mut setup, results, quiet)?;
     let (report, figures) = report::write(results)?;
     let stages = setup.stages_with_units();
     let Setup { system, mut manifest, .. } = setup;
@@ -136,7 +148,7 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     let live = setup.live_figures();
     setup.describe()?;
     // The observed outputs as they are at the start.
-    parallel::for_each(&mut setup.system.parts, |part| part.outputs.get(part.unit.as_mut()))
+    parallel::for_each(&mut setup.system.parts, |part| part.take_outputs(clock.start))
         .map_err(crate::system::start::StartError::from)?;
     recorder.observe(0, &mut setup.system)?;
 
@@ -162,7 +174,7 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     }
     recorder.finish()?;
     let end = terminate(system.units_mut());
-    manifest.warnings.extend(take_warnings(system.units_mut()));
+    manifest.warnings.extend(system.take_warnings());
     if let Some(run) = &mut manifest.run {
         run.warnings.clone_from(&manifest.warnings);
     }

@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
+use super::Options;
 use super::after::Rails;
 use super::error::RunError;
 use super::manifest::{Manifest, component_facts};
-use super::output_table::renamed;
+use super::output_table::{renamed, same_tables};
 use super::setup::{Setup, Subject};
+use super::workplace::Workplace;
 use crate::files::archive;
 use crate::report::SystemFacts;
 use crate::scenario::Times;
@@ -22,23 +24,31 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Sets the package at `path` up, to be run with so many threads in the folder `results`, where its
-/// FMUs stay beside the results that they make.
+/// Sets the package at `path` up, to be run in a workplace, where its FMUs stay beside the results that
+/// they make.
 ///
 /// # Errors
 /// When the package is wrong or does not fit its FMUs.
-pub fn setup(
+pub(crate) fn setup(
     path: &Path,
-    results: &Path,
-    times: &Times,
-    threads: usize,
+    options: &Options,
+    workplace: &Workplace,
 ) -> Result<Setup, RunError> {
+    let Workplace { threads, ref results, .. } = *workplace;
     let package = results.join("package");
     archive::unpack(path, &package).map_err(SspError::from)?;
-    let structure = ssp::read(&package)?;
-    let (clock, steps, every) = times_of(&structure, times)?;
+    let mut structure = ssp::read(&package)?;
+    for component in &mut structure.components {
+        component.schedule.same_thread |= options.same_thread;
+    }
+    let (clock, steps, every) = times_of(&structure, &options.times)?;
     let file = path.display().to_string();
-    let system = ssp::open(&structure, &package, &file, clock)?;
+    let mut system = ssp::open(&structure, &package, &file, clock)?;
+    system.set_checks(options.checks.unwrap_or_default());
+    let problems = same_tables(&system);
+    if !problems.is_empty() {
+        return Err(SspError::Unfit { file, problems }.into());
+    }
     let mut manifest = Manifest::new(&system);
     manifest.warnings = renamed(&system);
     manifest.system = Some(SystemFacts {

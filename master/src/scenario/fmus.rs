@@ -33,6 +33,11 @@ pub struct Fmus {
     /// Each try begins from the state before the step, which costs a saved state of every FMU in each step.
     #[garde(skip)]
     pub retry_discarded_steps: bool,
+    /// Whether each FMU that is named here is made, called and freed on a thread of its own.
+    ///
+    /// For FMUs that may be called only by the thread that has made them.
+    #[garde(skip)]
+    pub same_thread: bool,
 }
 
 /// An FMU, or other parameters, for one vehicle.
@@ -54,4 +59,8 @@ pub struct VehicleReplacement {
     #[serde(default)]
     #[garde(skip)]
     pub parameters: BTreeMap<String, Value>,
+    /// Whether its FMU is made, called and freed on a thread of its own.
+    #[serde(default)]
+    #[garde(skip)]
+    pub same_thread: bool,
 }
