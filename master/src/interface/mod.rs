@@ -9,6 +9,7 @@ mod xml;
 
 use std::collections::HashMap;
 
+use crate::files::xml_depth::{TooDeep, check_depth};
 use crate::interface::range::Range;
 use crate::interface::si::SiUnit;
 
@@ -73,6 +74,12 @@ pub enum InterfaceError {
     /// Not XML, or not of the form of FMI 2.0.
     #[error("modelDescription.xml cannot be read: {0}")]
     Syntax(#[from] serde_xml_rs::Error),
+    /// Its elements lie too deep in each other.
+    #[error("modelDescription.xml, {0}")]
+    Depth(#[from] TooDeep),
+    /// The binary cannot be named like this.
+    #[error("modelDescription.xml: modelIdentifier is \"{0}\", but must be {C_NAME}")]
+    Identifier(String),
     /// Another version of FMI.
     #[error("modelDescription.xml is of FMI {0}; Hotfoot runs FMUs of FMI 2.0")]
     Version(String),
@@ -81,17 +88,30 @@ pub enum InterfaceError {
     NoCoSimulation,
 }
 
+/// What a name in C is, in words.
+pub const C_NAME: &str = "a name in C: letters, digits and underscores, not beginning with a digit";
+
+/// Whether a text is a name in C, as the binary of an FMU must have.
+pub fn is_c_name(text: &str) -> bool {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    text.starts_with(|c: char| is_part(c) && !c.is_ascii_digit()) && text.chars().all(is_part)
+}
+
 impl Interface {
     /// Reads a modelDescription.xml.
     ///
     /// # Errors
     /// When it is not a model description of an FMI 2.0 co-simulation FMU.
     pub fn from_xml(xml: &str) -> Result<Self, InterfaceError> {
+        check_depth(xml)?;
         let root: xml::ModelDescription = serde_xml_rs::from_str(xml)?;
         if root.fmi_version != "2.0" {
             return Err(InterfaceError::Version(root.fmi_version));
         }
         let slave = root.co_simulation.ok_or(InterfaceError::NoCoSimulation)?;
+        if !is_c_name(&slave.model_identifier) {
+            return Err(InterfaceError::Identifier(slave.model_identifier));
+        }
         let units = Units::of(root.unit_definitions, root.type_definitions);
         let variables = root.model_variables.variables.into_iter();
         Ok(Self {
@@ -297,6 +317,36 @@ mod tests {
         assert!((si.to_base.apply(36.0) - 10.0).abs() < 1e-12, "rounding of the factor");
         assert_eq!(variable("rise").si.unwrap().to_base.offset, 0.0, "a difference");
         assert_eq!((variable("ache").unit.as_deref(), variable("ache").si), (Some("pain"), None));
+    }
+
+    /// The binary of an FMU is loaded by this name, so a path must not pass.
+    #[test]
+    fn a_model_identifier_that_is_no_c_name_is_refused() {
+        for wrong in ["/tmp/evil", "../m", "1m", "", "m.so", "m m"] {
+            let xml = XML.replace("modelIdentifier=\"m\"", &format!("modelIdentifier=\"{wrong}\""));
+            let error = Interface::from_xml(&xml).unwrap_err().to_string();
+            assert!(error.contains(&format!("\"{wrong}\", but must be a name in C")), "{error}");
+        }
+    }
+
+    /// FMI 2.0 §2.2.7: what a variable states goes before what its type does.
+    #[test]
+    fn ranges_are_those_of_the_variable_or_of_its_type() {
+        let definitions = r#"<TypeDefinitions>
+              <SimpleType name="Share"><Real min="0" max="1"/></SimpleType>
+              <SimpleType name="Count"><Integer min="1"/></SimpleType></TypeDefinitions>
+          <ModelVariables>
+            <ScalarVariable name="share" valueReference="5"><Real declaredType="Share"/></ScalarVariable>
+            <ScalarVariable name="half" valueReference="6">
+              <Real declaredType="Share" max=" 0.5 "/></ScalarVariable>
+            <ScalarVariable name="count" valueReference="7">
+              <Integer declaredType="Count" max="9"/></ScalarVariable>"#;
+        let interface = Interface::from_xml(&XML.replace("<ModelVariables>", definitions)).unwrap();
+        let range = |name| interface.variable(name).unwrap().range;
+        assert_eq!(range("share"), Range { min: 0.0, max: 1.0 });
+        assert_eq!(range("half"), Range { min: 0.0, max: 0.5 });
+        assert_eq!(range("count"), Range { min: 1.0, max: 9.0 });
+        assert_eq!(range("axle[1].force"), Range::FINITE);
     }
 
     #[test]
