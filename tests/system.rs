@@ -19,6 +19,7 @@
 //! | `packages.rs` | packages of scenarios against the scenarios |
 //! | `profile_files.rs` | profiles of vehicle files |
 //! | `rails.rs` | the heated rails |
+//! | `seam.rs` | FMUs that misbehave at the seam: values, memory, threads, messages |
 //! | `scenarios.rs` | every shipped scenario |
 //! | `synchronisation.rs` | the controller in the whole loop |
 //! | `tools.rs` | the engineering commands |
@@ -44,5 +45,6 @@ mod packages;
 mod profile_files;
 mod rails;
 mod scenarios;
+mod seam;
 mod synchronisation;
 mod tools;

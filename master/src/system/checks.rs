@@ -9,6 +9,7 @@ use std::collections::HashSet;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::clock;
 use super::motion::Motion;
 use super::signals::{Ranges, Signals};
 use super::unit::{Unit, UnitError};
@@ -139,7 +140,8 @@ impl Watch {
             Checks::Finite => !value.is_finite(),
             Checks::Warn | Checks::Off => false,
         };
-        let what = || format!("{} at {time} s", shown(unit.interface(), variable, value));
+        let what =
+            || format!("{} at {} s", shown(unit.interface(), variable, value), clock::shown(time));
         if is_error {
             return Err(UnitError {
                 instance: unit.name().into(),

@@ -15,3 +15,8 @@ impl Clock {
         self.start + k as f64 * self.length
     }
 }
+
+/// A time without the rounding of its last digits, for messages, s.
+pub fn shown(time: f64) -> f64 {
+    (time * 1e9).round() / 1e9
+}
