@@ -206,4 +206,16 @@ mod tests {
             "{sentences:?}"
         );
     }
+
+    #[test]
+    fn components_whose_tables_would_have_one_name_are_both_named() {
+        let part = |name| {
+            let output = [("y".to_owned(), "output")];
+            Part::new(Box::new(Mock::new(name, &output, &Default::default(), |_, _, _| {})), 0, 1)
+        };
+        let parts = vec![part("wagon 1"), part("wagon_2"), part("Wagon/1")];
+        let system = System::new(Clock { start: 0.0, length: 0.5 }, parts);
+        let [problem] = same_tables(&system).try_into().unwrap();
+        assert!(problem.contains("'wagon 1' and 'Wagon/1' would both have the table"), "{problem}");
+    }
 }

@@ -181,3 +181,95 @@ fn shown(interface: &Interface, (kind, reference): (VariableType, u32), value: f
         Some(unit) => format!("{name} = {value:?} {unit}"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::mock::Mock;
+    use crate::system::part::Part;
+
+    /// A unit with outputs y0, y1, … that become the given values in its first step.
+    fn part(checks: Checks, values: &[f64]) -> Part {
+        let names: Vec<_> = (0..values.len()).map(|i| (format!("y{i}"), "output")).collect();
+        let given = values.to_vec();
+        let step = move |own: &mut [f64], _: f64, _: f64| own.copy_from_slice(&given);
+        let mock = Mock::new("m", &names, &Default::default(), step);
+        let mut part = Part::new(Box::new(mock), 0, 1);
+        for reference in 0..values.len() {
+            part.outputs.index(VariableType::Real, reference as u32);
+        }
+        part.watch.checks = checks;
+        part
+    }
+
+    #[test]
+    fn what_is_not_finite_is_an_error_a_warning_or_nothing() {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for checks in [Checks::Finite, Checks::Error] {
+                let error = part(checks, &[0.0, value]).advance(2.0, 0.5).unwrap_err().to_string();
+                let wanted = format!(
+                    "m (a mock): the check of y1 = {value:?} at 2.5 s failed: the value is not a \
+                     finite number"
+                );
+                assert_eq!(error, wanted);
+            }
+            let mut warned = part(Checks::Warn, &[0.0, value]);
+            warned.advance(2.0, 0.5).unwrap();
+            warned.advance(2.5, 0.5).unwrap();
+            let wanted = format!("m: y1 = {value:?} at 2.5 s is not a finite number");
+            assert_eq!(warned.take_warnings(), [wanted]);
+            let mut off = part(Checks::Off, &[0.0, value]);
+            off.advance(2.0, 0.5).unwrap();
+            assert!(off.take_warnings().is_empty());
+        }
+    }
+
+    /// Friction power of -1 MW and of 1e300 W, and 1 kW.
+    #[test]
+    fn what_is_out_of_its_range_is_a_warning_or_an_error() {
+        let powers = [-1e6, 1e300, 1e3];
+        let limited = |checks| {
+            let mut part = part(checks, &powers);
+            for reference in 0..3 {
+                part.watch.limit(reference, Range { min: 0.0, max: 1e8 }, None);
+            }
+            part
+        };
+        let mut warned = limited(Checks::Finite);
+        warned.advance(0.0, 1.0).unwrap();
+        let wanted = [
+            "m: y0 = -1000000.0 at 1 s is less than 0.0, the least that it can be",
+            "m: y1 = 1e300 at 1 s is more than 100000000.0, the most that it can be",
+        ];
+        assert_eq!(warned.take_warnings(), wanted);
+        let error = limited(Checks::Error).advance(0.0, 1.0).unwrap_err().to_string();
+        assert!(error.contains("y0 = -1000000.0 at 1 s"), "{error}");
+    }
+
+    #[test]
+    fn a_value_that_changes_faster_than_it_can_is_told() {
+        let mut speed = part(Checks::Finite, &[-16.0]);
+        speed.watch.limit(0, Range::FINITE, Some(200.0));
+        speed.take_outputs(0.0).unwrap();
+        speed.advance(0.0, 0.1).unwrap();
+        assert!(speed.take_warnings().is_empty(), "16 m/s in 0.1 s are 160 m/s2");
+        let mut speed = part(Checks::Finite, &[-16.0]);
+        speed.watch.limit(0, Range::FINITE, Some(200.0));
+        speed.take_outputs(0.0).unwrap();
+        speed.advance(0.0, 0.001).unwrap();
+        let [warning] = speed.take_warnings().try_into().unwrap();
+        assert!(
+            warning.contains("y0 = -16.0 at 0.001 s was 0.0 only 0.001000 s before"),
+            "{warning}"
+        );
+    }
+
+    #[test]
+    fn of_many_variables_the_first_are_told_and_how_many_more() {
+        let mut many = part(Checks::Warn, &[f64::NAN; 50]);
+        many.advance(0.0, 1.0).unwrap();
+        let warnings = many.take_warnings();
+        assert_eq!(warnings.len(), MOST_WARNINGS + 1);
+        assert_eq!(warnings[MOST_WARNINGS], "m: 30 more variables have values that cannot be");
+    }
+}

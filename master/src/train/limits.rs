@@ -37,3 +37,43 @@ fn limit_part(system: &mut System, component: &str, prefix: &str, groups: &[Grou
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interface::VariableType;
+    use crate::system::clock::Clock;
+    use crate::system::mock::Mock;
+    use crate::system::part::Part;
+    use crate::train::layout::VehicleHolder;
+
+    /// A vehicle whose wheel wins energy from friction, and whose speed turns round.
+    #[test]
+    fn a_vehicle_is_held_to_the_bounds_of_its_role() {
+        let names = ["position", "v", "wheelset[1].position", "wheelset[1].left.friction_power"];
+        let outputs = names.map(|name| (name.to_owned(), "output"));
+        let step = |own: &mut [f64], _: f64, _: f64| own.copy_from_slice(&[0.0, -16.0, 0.0, -1e6]);
+        let mock = Mock::new("vehicle[1]", &outputs, &Default::default(), step);
+        let mut part = Part::new(Box::new(mock), 0, 1);
+        for reference in 0..4 {
+            part.outputs.index(VariableType::Real, reference);
+        }
+        let mut system = System::new(Clock { start: 0.0, length: 1e-3 }, vec![part]);
+        let holder = VehicleHolder {
+            component: "vehicle[1]".to_owned(),
+            wheelsets: 1,
+            names: Names::from([("velocity".to_owned(), "v".to_owned())]),
+            ..VehicleHolder::default()
+        };
+        limit(&Layout { vehicles: vec![holder], ..Layout::default() }, &mut system);
+        let part = &mut system.parts[0];
+        part.take_outputs(0.0).unwrap();
+        part.advance(0.0, 1e-3).unwrap();
+        let warnings = part.take_warnings().join("\n");
+        assert!(
+            warnings.contains("friction_power = -1000000.0 at 0.001 s is less than"),
+            "{warnings}"
+        );
+        assert!(warnings.contains("v = -16.0 at 0.001 s was 0.0 only"), "{warnings}");
+    }
+}
