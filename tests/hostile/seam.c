@@ -11,7 +11,7 @@ enum {
     REVERSING,          /* the speed, from step to step */
     ROUNDING,           /* upward, from then on */
     FLUSHING,           /* of denormal numbers */
-    TRAPPING,           /* of floating-point exceptions */
+    TRAPPING,           /* of invalid operations, divisions by zero and overflows */
     ROUNDING_AT_LOAD,
     ONE_THREAD,         /* only the one that has made the instance may call */
     MESSAGE_AFTER_FREE, /* from a thread, with the environment of the instance */
@@ -103,7 +103,7 @@ static void seam_set(Instance *i, double *v) {
 
 static int seam_step(Instance *i) {
     Callbacks *c = &i->callbacks;
-    volatile unsigned short x87 = 0x0340;
+    volatile unsigned short x87 = 0x0372;
     switch (BEHAVIOUR) {
     case REVERSING:
         i->reals[VELOCITY] = -i->reals[VELOCITY];
@@ -115,7 +115,7 @@ static int seam_step(Instance *i) {
         change_mxcsr(0, 0x8040);
         return OK;
     case TRAPPING:
-        change_mxcsr(0x1f80, 0);
+        change_mxcsr(0x0680, 0);
         __asm__ volatile("fldcw %0" : : "m"(x87));
         return OK;
     case DOUBLE_FREE: {
