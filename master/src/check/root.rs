@@ -4,7 +4,7 @@
 use super::description::{Description, child, number};
 use super::rule::{Breaches, Rule, Severity};
 use super::units::repeated;
-use crate::interface::{C_NAME, is_c_name};
+use crate::interface::identifier::{C_NAME, is_c_name};
 
 /// Name of the rule on the version, without which the others make no sense.
 pub(super) const VERSION: &str = "fmi-version-is-2.0";

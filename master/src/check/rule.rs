@@ -25,8 +25,7 @@ pub struct Rule {
     pub(super) check: fn(&Description<'_>, &mut Breaches),
 }
 
-/// What a rule has found: where in the text, and a sentence that says what stands there and what would be
-/// right.
+/// What a rule has found: where in the text, and what stands there and what would be right.
 #[derive(Default)]
 pub(crate) struct Breaches(pub(super) Vec<(usize, String)>);
 

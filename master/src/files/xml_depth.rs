@@ -16,7 +16,7 @@ pub struct TooDeep {
     pub line: usize,
 }
 
-/// Looks whether the elements of a text lie too deep in each other, in a time that grows with its length.
+/// Looks whether elements lie too deep in each other, in a time that grows with the text's length.
 ///
 /// # Errors
 /// When they do. What is no XML is left to the parsers to tell.

@@ -1,5 +1,6 @@
-//! An instance with a thread of its own, on which it is made, called and freed: for FMUs that may be called
-//! by one thread only.
+//! An instance with a thread of its own, on which it is made, called and freed.
+//!
+//! It is for FMUs that may be called by one thread only.
 //!
 //! Every call of such an FMU goes there, also that of the recorder, so that nothing else need know of it.
 //! The threads of the run wait meanwhile; the way there and back takes some ten microseconds a call.

@@ -7,23 +7,13 @@ use super::binding::{self, Component, FATAL, FmuState, Functions, OK, Status, WA
 use super::callbacks::callbacks;
 use super::guard::arrays::Arrays;
 use super::guard::guarded;
-use super::home::AtHome;
 use super::import::Import;
 use super::messages::Messages;
 use crate::interface::VariableType;
-use crate::system::unit::{Unit, UnitError};
+use crate::system::unit::UnitError;
 
 /// `fmi2CoSimulation` of `fmi2Type`.
 const CO_SIMULATION: i32 = 1;
-
-/// How an instance is called.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Manner {
-    /// Whether a step that it discards is tried again in parts.
-    pub retries: bool,
-    /// Whether it is made, called and freed on a thread of its own.
-    pub same_thread: bool,
-}
 
 /// The state of an instance before a step.
 #[derive(Default)]
@@ -95,26 +85,6 @@ impl FmuInstance {
             return Err(instance.error("fmi2Instantiate".to_owned(), None));
         }
         Ok(instance)
-    }
-
-    /// Makes an instance that is called in a manner of its own.
-    ///
-    /// # Errors
-    /// When the FMU refuses, with what it logged.
-    pub fn unit(
-        import: &Arc<Import>,
-        name: &str,
-        manner: Manner,
-    ) -> Result<Box<dyn Unit>, UnitError> {
-        let (own, own_name) = (Arc::clone(import), name.to_owned());
-        let make = move || -> Result<Self, UnitError> {
-            let instance = Self::new(&own, &own_name)?;
-            Ok(if manner.retries { instance.retrying() } else { instance })
-        };
-        Ok(match manner.same_thread {
-            true => Box::new(AtHome::new(import, name, make)?),
-            false => Box::new(make()?),
-        })
     }
 
     /// Lets a step that the FMU discards be tried again in parts, from the state before it. An FMU

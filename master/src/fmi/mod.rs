@@ -10,7 +10,7 @@
 //! | `import.rs` | an FMU file: unpacked and loaded once |
 //! | `origins.rs` | what its resources are copies of |
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
-//! | `home.rs` | an instance on a thread of its own |
+//! | `manner.rs`, `home.rs` | how an instance is called: on a thread of its own |
 //! | `resource_paths.rs` | texts that name files in an FMU's own resources |
 //! | `step.rs` | the step, and what each status of it means |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
@@ -29,6 +29,7 @@ mod guard;
 mod home;
 mod import;
 mod instance;
+mod manner;
 mod messages;
 mod origins;
 pub mod pack;
@@ -40,6 +41,7 @@ pub use binding::missing_functions;
 pub use crash::watch as watch_crashes;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
-pub use instance::{FmuInstance, Manner};
+pub use instance::FmuInstance;
+pub use manner::{Manner, unit};
 pub use origins::Origins;
 pub use resource_paths::with_resource_paths;

@@ -1,17 +1,21 @@
 //! The interface of an FMU as its modelDescription.xml states it (FMI 2.0 §2.2).
 
+pub mod identifier;
 pub mod name_pattern;
 #[cfg(test)]
 mod published_tests;
 pub mod range;
 pub mod si;
+mod types;
 mod xml;
 
 use std::collections::HashMap;
 
 use crate::files::xml_depth::{TooDeep, check_depth};
+use crate::interface::identifier::{C_NAME, is_c_name};
 use crate::interface::range::Range;
 use crate::interface::si::SiUnit;
+use crate::interface::types::Types;
 
 /// Type of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -88,15 +92,6 @@ pub enum InterfaceError {
     NoCoSimulation,
 }
 
-/// What a name in C is, in words.
-pub const C_NAME: &str = "a name in C: letters, digits and underscores, not beginning with a digit";
-
-/// Whether a text is a name in C, as the binary of an FMU must have.
-pub fn is_c_name(text: &str) -> bool {
-    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    text.starts_with(|c: char| is_part(c) && !c.is_ascii_digit()) && text.chars().all(is_part)
-}
-
 impl Interface {
     /// Reads a modelDescription.xml.
     ///
@@ -112,7 +107,7 @@ impl Interface {
         if !is_c_name(&slave.model_identifier) {
             return Err(InterfaceError::Identifier(slave.model_identifier));
         }
-        let units = Units::of(root.unit_definitions, root.type_definitions);
+        let units = Types::of(root.unit_definitions, root.type_definitions);
         let variables = root.model_variables.variables.into_iter();
         Ok(Self {
             identifier: slave.model_identifier,
@@ -178,64 +173,7 @@ impl Interface {
     }
 }
 
-/// The units that a model description defines, and the declared types.
-struct Units {
-    units: HashMap<String, SiUnit>,
-    of_type: HashMap<String, xml::SimpleType>,
-}
-
-impl Units {
-    fn of(units: Option<xml::UnitDefinitions>, types: Option<xml::TypeDefinitions>) -> Self {
-        let units = units.map(|list| list.units).unwrap_or_default().into_iter();
-        let types = types.map(|list| list.types).unwrap_or_default().into_iter();
-        Self {
-            units: units.filter_map(|unit| Some((unit.name, unit.base?.si()?))).collect(),
-            of_type: types.map(|simple| (simple.name.clone(), simple)).collect(),
-        }
-    }
-
-    /// The type that a variable declares.
-    fn declared(&self, name: &Option<String>) -> Option<&xml::SimpleType> {
-        self.of_type.get(name.as_ref()?)
-    }
-
-    /// Unit of a Real variable, from itself or its declared type, and what it is in SI.
-    fn of_real(&self, real: &xml::Real) -> (Option<String>, Option<SiUnit>) {
-        let declared = self.declared(&real.declared_type).and_then(|simple| simple.real.as_ref());
-        let unit = real.unit.clone().or_else(|| declared?.unit.clone());
-        let relative = real.relative || declared.is_some_and(|declared| declared.relative);
-        let mut si = unit.as_ref().and_then(|name| self.units.get(name).copied());
-        if let (Some(si), true) = (&mut si, relative) {
-            // A difference of two values knows no offset (§2.2.2).
-            si.to_base.offset = 0.0;
-        }
-        (unit, si)
-    }
-
-    /// What a Real may be, by itself or its declared type.
-    fn range_of_real(&self, real: &xml::Real) -> Range {
-        let declared = self.declared(&real.declared_type).and_then(|simple| simple.real.as_ref());
-        let min = real.min.as_ref().or_else(|| declared?.min.as_ref());
-        let max = real.max.as_ref().or_else(|| declared?.max.as_ref());
-        Range::stated(number(min), number(max))
-    }
-
-    /// What an Integer or Enumeration may be, by itself or its declared type.
-    fn range_of_integer(&self, integer: &xml::Other) -> Range {
-        let declared =
-            self.declared(&integer.declared_type).and_then(|simple| simple.integer.as_ref());
-        let min = integer.min.as_ref().or_else(|| declared?.min.as_ref());
-        let max = integer.max.as_ref().or_else(|| declared?.max.as_ref());
-        Range::stated(number(min), number(max))
-    }
-}
-
-/// The number that an attribute states.
-fn number(text: Option<&String>) -> Option<f64> {
-    text?.trim().parse().ok()
-}
-
-fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Variable)> {
+fn variable(scalar: xml::ScalarVariable, units: &Types) -> Option<(String, Variable)> {
     let mut range = Range::FINITE;
     let ((unit, si), kind, start) = if let Some(real) = scalar.real {
         range = units.range_of_real(&real);
@@ -317,36 +255,6 @@ mod tests {
         assert!((si.to_base.apply(36.0) - 10.0).abs() < 1e-12, "rounding of the factor");
         assert_eq!(variable("rise").si.unwrap().to_base.offset, 0.0, "a difference");
         assert_eq!((variable("ache").unit.as_deref(), variable("ache").si), (Some("pain"), None));
-    }
-
-    /// The binary of an FMU is loaded by this name, so a path must not pass.
-    #[test]
-    fn a_model_identifier_that_is_no_c_name_is_refused() {
-        for wrong in ["/tmp/evil", "../m", "1m", "", "m.so", "m m"] {
-            let xml = XML.replace("modelIdentifier=\"m\"", &format!("modelIdentifier=\"{wrong}\""));
-            let error = Interface::from_xml(&xml).unwrap_err().to_string();
-            assert!(error.contains(&format!("\"{wrong}\", but must be a name in C")), "{error}");
-        }
-    }
-
-    /// FMI 2.0 §2.2.7: what a variable states goes before what its type does.
-    #[test]
-    fn ranges_are_those_of_the_variable_or_of_its_type() {
-        let definitions = r#"<TypeDefinitions>
-              <SimpleType name="Share"><Real min="0" max="1"/></SimpleType>
-              <SimpleType name="Count"><Integer min="1"/></SimpleType></TypeDefinitions>
-          <ModelVariables>
-            <ScalarVariable name="share" valueReference="5"><Real declaredType="Share"/></ScalarVariable>
-            <ScalarVariable name="half" valueReference="6">
-              <Real declaredType="Share" max=" 0.5 "/></ScalarVariable>
-            <ScalarVariable name="count" valueReference="7">
-              <Integer declaredType="Count" max="9"/></ScalarVariable>"#;
-        let interface = Interface::from_xml(&XML.replace("<ModelVariables>", definitions)).unwrap();
-        let range = |name| interface.variable(name).unwrap().range;
-        assert_eq!(range("share"), Range { min: 0.0, max: 1.0 });
-        assert_eq!(range("half"), Range { min: 0.0, max: 0.5 });
-        assert_eq!(range("count"), Range { min: 1.0, max: 9.0 });
-        assert_eq!(range("axle[1].force"), Range::FINITE);
     }
 
     #[test]

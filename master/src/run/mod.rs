@@ -3,7 +3,7 @@
 //! | file | part |
 //! |---|---|
 //! | `mod.rs` | the run |
-//! | `setup.rs`, `scenario.rs`, `package.rs` | what is run |
+//! | `options.rs`, `setup.rs`, `scenario.rs`, `package.rs` | what is run, and how |
 //! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
 //! | `after.rs` | what the rails go through after the run |
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
@@ -21,6 +21,7 @@ mod finished;
 mod live;
 mod manifest;
 mod observe_error;
+mod options;
 mod output_table;
 mod outputs;
 pub mod package;
@@ -34,7 +35,7 @@ mod train_tables;
 mod wiring;
 pub mod workplace;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use after::{Continued, FailedStep, StepFailure};
@@ -43,6 +44,7 @@ pub use export::{Exported, export};
 use finished::Done;
 pub use finished::Finished;
 use live::LiveFigures;
+pub use options::Options;
 use progress::Progress;
 use recorder::Recorder;
 use setup::Setup;
@@ -50,31 +52,10 @@ pub use wiring::wiring;
 use workplace::Workplace;
 
 use crate::report::{self, MainFigure};
-use crate::scenario::Times;
-use crate::system::checks::Checks;
 use crate::system::parallel;
 use crate::system::times::Stopwatch;
 use crate::system::unit::terminate;
 use crate::train::fmus::Folders;
-
-/// How a scenario or a package is run.
-#[derive(Debug, Clone, Default)]
-pub struct Options {
-    /// Threads for the units; none: all cores.
-    pub threads: Option<usize>,
-    /// Folder of the results; none: a new one in `results`.
-    pub results: Option<PathBuf>,
-    /// Folder of Hotfoot's own FMUs.
-    pub fmus: PathBuf,
-    /// Times instead of the scenario's or the package's.
-    pub times: Times,
-    /// What becomes of values that cannot be, in place of what the scenario says.
-    pub checks: Option<Checks>,
-    /// Whether every FMU of a package, and every one that a scenario names, has a thread of its own.
-    pub same_thread: bool,
-    /// No progress bar.
-    pub quiet: bool,
-}
 
 /// Whether a file is an SSP package; otherwise it is a scenario.
 pub fn is_package(path: &Path) -> bool {

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use super::Options;
 use super::after::Rails;
 use super::error::RunError;
 use super::manifest::{Manifest, component_facts};
+use super::options::Options;
 use super::output_table::{renamed, same_tables};
 use super::setup::{Setup, Subject};
 use super::workplace::Workplace;

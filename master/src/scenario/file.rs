@@ -28,10 +28,9 @@ pub struct Scenario {
     #[serde(default)]
     #[garde(skip)]
     pub scheme: Scheme,
-    /// What becomes of values that FMUs give and that cannot be: `error` ends the run, `warn` warns the first
-    /// time for each variable, `off` looks for none.
+    /// What becomes of values that FMUs give and that cannot be.
     ///
-    /// Left out: a value that is not finite ends the run, and one out of its range is a warning.
+    /// `error` ends the run, `warn` warns the first time for each variable, `off` looks for none. Left out: a value that is not finite ends the run, and one out of its range is a warning.
     #[garde(skip)]
     pub checks: Option<Checks>,
     /// Runs the train model alone: no vehicles in three dimensions, no rail heat.

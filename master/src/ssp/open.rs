@@ -7,7 +7,7 @@ use std::sync::Arc;
 use percent_encoding::percent_decode_str;
 
 use super::error::SspError;
-use crate::fmi::{FmuInstance, Import, Manner, with_resource_paths};
+use crate::fmi::{self, Import, Manner, with_resource_paths};
 use crate::system::clock::Clock;
 use crate::system::compile::{CompileError, compile};
 use crate::system::step::System;
@@ -33,7 +33,7 @@ pub fn open(
         let import = &imports[component.source.as_str()];
         let same_thread = component.schedule.same_thread;
         let manner = Manner { same_thread, ..Manner::default() };
-        Ok(FmuInstance::unit(import, &component.name, manner)?)
+        Ok(fmi::unit(import, &component.name, manner)?)
     };
     let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
     compile(&structure, units, clock).map_err(|error| match error {

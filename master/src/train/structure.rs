@@ -14,7 +14,7 @@ use super::limits::limit;
 use super::resources;
 use super::roles::{self, Names, Role};
 use super::wiring::connections;
-use crate::fmi::{FmuInstance, Import, Manner, with_resource_paths};
+use crate::fmi::{self, Import, Manner, with_resource_paths};
 use crate::interface::Interface;
 use crate::scenario::{Scenario, Scheme};
 use crate::system::checks::Checks;
@@ -297,7 +297,7 @@ impl TrainSystem {
                 return Ok(Box::new(ControllerUnit::new(name, source)));
             };
             let manner = Manner { retries: self.retries, same_thread: schedule.same_thread };
-            Ok(FmuInstance::unit(import, name, manner)?)
+            Ok(fmi::unit(import, name, manner)?)
         };
         let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
         let import = |component: &Component| self.imports.get(&component.source);

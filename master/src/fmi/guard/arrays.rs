@@ -116,8 +116,8 @@ mod tests {
         assert_eq!(arrays.damage_in_setting(&references, &values), None);
         // SAFETY: two values were lent.
         unsafe { lent.add(1).write(3.0) };
-        let told = arrays.damage_in_setting(&references, &values).unwrap();
-        assert_eq!(told, "it has changed the values that it shall only read");
+        let reported = arrays.damage_in_setting(&references, &values).unwrap();
+        assert_eq!(reported, "it has changed the values that it shall only read");
         assert_eq!(arrays.damage_in_getting(&references, &mut values), None);
         assert_eq!(values, [1.0, 3.0]);
 
@@ -125,13 +125,13 @@ mod tests {
             let (_, lent) = arrays.lend(&references, &values);
             // SAFETY: there are eight guard words on either side of the two values.
             unsafe { lent.offset(place).write(0.0) };
-            let told = arrays.damage_in_getting(&references, &mut values).unwrap();
-            assert_eq!(told, "it has written outside of the array of 2 values", "{place}");
+            let reported = arrays.damage_in_getting(&references, &mut values).unwrap();
+            assert_eq!(reported, "it has written outside of the array of 2 values", "{place}");
         }
         let (lent, _) = arrays.lend(&references, &values);
         // SAFETY: two references were lent, from memory that is written.
         unsafe { lent.cast_mut().write(9) };
-        let told = arrays.damage_in_getting(&references, &mut values).unwrap();
-        assert_eq!(told, "it has changed the value references that it shall only read");
+        let reported = arrays.damage_in_getting(&references, &mut values).unwrap();
+        assert_eq!(reported, "it has changed the value references that it shall only read");
     }
 }

@@ -155,8 +155,8 @@ mod tests {
             (0x1f80, 0x007f, "less precision in the x87 unit"),
         ] {
             processor::write(control, x87);
-            let told = before.put_back().unwrap();
-            assert!(told.contains(words), "{control:#x} {x87:#x}: {told}");
+            let reported = before.put_back().unwrap();
+            assert!(reported.contains(words), "{control:#x} {x87:#x}: {reported}");
             assert_eq!(Environment::now(), before);
         }
     }
