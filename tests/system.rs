@@ -20,6 +20,7 @@
 //! | `packages.rs` | packages of scenarios against the scenarios |
 //! | `profile_files.rs` | profiles of vehicle files |
 //! | `rails.rs` | the heated rails |
+//! | `seam.rs` | FMUs that misbehave at the seam: values, memory, threads, messages |
 //! | `scenarios.rs` | every shipped scenario |
 //! | `ssp_kinds.rs` | packages as other tools write them |
 //! | `synchronisation.rs` | the controller in the whole loop |
@@ -47,6 +48,7 @@ mod packages;
 mod profile_files;
 mod rails;
 mod scenarios;
+mod seam;
 mod ssp_kinds;
 mod synchronisation;
 mod tools;

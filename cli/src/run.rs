@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow, bail};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use hotfoot::recording;
 use hotfoot::run::{self, Options, workplace};
 use hotfoot::scenario::Times;
@@ -37,9 +37,37 @@ pub struct RunArguments {
     /// Relative tolerance for the solvers of the FMUs in place of what each proposes, such as 1e-6
     #[arg(long, value_name = "TOLERANCE", value_parser = positive)]
     tolerance: Option<f64>,
+    /// What becomes of values that FMUs give and that cannot be, in place of the scenario's `checks`; left out:
+    /// a value that is not finite ends the run, and one out of its range is a warning
+    #[arg(long, value_enum)]
+    checks: Option<Checks>,
+    /// Call each FMU of an SSP package, and each that the scenario names, on a thread of its own
+    #[arg(long)]
+    same_thread: bool,
     /// Show no progress
     #[arg(long)]
     quiet: bool,
+}
+
+/// What becomes of values that cannot be.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Checks {
+    /// They end the run
+    Error,
+    /// They are warnings, the first time for each variable
+    Warn,
+    /// They are not looked for
+    Off,
+}
+
+impl From<Checks> for hotfoot::Checks {
+    fn from(checks: Checks) -> Self {
+        match checks {
+            Checks::Error => Self::Error,
+            Checks::Warn => Self::Warn,
+            Checks::Off => Self::Off,
+        }
+    }
 }
 
 /// Runs a scenario in a child process, tells where the results are, and the main figures.
@@ -83,6 +111,8 @@ fn run_here(arguments: &RunArguments) -> Result<()> {
             interval: arguments.interval,
         },
         tolerance: arguments.tolerance,
+        checks: arguments.checks.map(Into::into),
+        same_thread: arguments.same_thread,
         quiet: arguments.quiet,
     };
     println!("{}", run::run(&arguments.scenario, &options)?);

@@ -34,6 +34,7 @@ pub use fmi::{FmuInstance, Import, pack, watch_crashes};
 pub use interface::Interface;
 pub use run::error::RunError;
 pub use run::{Finished, Options, run};
+pub use system::checks::Checks;
 pub use system::structure::Structure;
 pub use system::unit::{Unit, UnitError};
 pub use train::fmus::Folders;

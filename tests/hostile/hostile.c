@@ -51,6 +51,8 @@ static void tell(Instance *i, int status, const char *category, const char *form
     i->callbacks.logger(i->callbacks.environment, "hostile", status, category, format, value);
 }
 
+#include "seam.c"
+
 EXPORT const char *fmi2GetVersion(void) { return BEHAVIOUR == OTHER_VERSION ? "1.0" : "2.0"; }
 EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
 EXPORT int fmi2SetDebugLogging(void *c, int on, size_t n, const char *const *categories) {
@@ -68,27 +70,37 @@ EXPORT void *fmi2Instantiate(const char *name, int type, const char *guid, const
     }
     Instance *i = calloc(1, sizeof *i);
     i->callbacks = *callbacks;
+    seam_instantiate(i);
     return i;
 }
 
-EXPORT void fmi2FreeInstance(void *c) { free(c); }
+EXPORT void fmi2FreeInstance(void *c) { seam_free(c); }
 EXPORT int fmi2SetupExperiment(void *c, int td, double t, double start, int sd, double stop) {
     (void)td, (void)t, (void)sd, (void)stop;
     ((Instance *)c)->time = start;
     return OK;
 }
-EXPORT int fmi2EnterInitializationMode(void *c) { (void)c; return OK; }
+EXPORT int fmi2EnterInitializationMode(void *c) {
+    (void)c;
+    return seam_refuses() ? ERROR : OK;
+}
 EXPORT int fmi2ExitInitializationMode(void *c) {
     Instance *i = c;
+    if (seam_refuses()) return ERROR;
     i->reals[POSITION] = i->reals[POSITION0];
     i->reals[VELOCITY] = i->reals[VELOCITY0];
     return OK;
 }
-EXPORT int fmi2Terminate(void *c) { (void)c; return OK; }
+EXPORT int fmi2Terminate(void *c) {
+    (void)c;
+    return seam_refuses() ? ERROR : OK;
+}
 EXPORT int fmi2Reset(void *c) { (void)c; return OK; }
 
 EXPORT int fmi2GetReal(void *c, const unsigned *vr, size_t n, double *v) {
+    if (seam_refuses()) return ERROR;
     for (size_t k = 0; k < n; k++) v[k] = ((Instance *)c)->reals[vr[k]];
+    seam_get(c, (unsigned *)vr, n, v);
     return OK;
 }
 EXPORT int fmi2SetReal(void *c, const unsigned *vr, size_t n, const double *v) {
@@ -97,7 +109,9 @@ EXPORT int fmi2SetReal(void *c, const unsigned *vr, size_t n, const double *v) {
         tell(i, ERROR, "logStatusError", "I take no more forces after %g s", i->time);
         return ERROR;
     }
+    if (seam_refuses()) return ERROR;
     for (size_t k = 0; k < n; k++) i->reals[vr[k]] = v[k];
+    seam_set(i, (double *)v);
     return OK;
 }
 EXPORT int fmi2GetInteger(void *c, const unsigned *vr, size_t n, int *v) {
@@ -162,13 +176,14 @@ static int misbehave(Instance *i, double length) {
         i->asked = 0;
         return IS_PENDING;
     default:
-        return OK;
+        return seam_step(i);
     }
 }
 
 EXPORT int fmi2DoStep(void *c, double time, double length, int no_set_state) {
     (void)no_set_state;
     Instance *i = c;
+    if (seam_refuses()) return ERROR;
     i->time = time;
     int status = time + length / 2 >= WHEN ? misbehave(i, length) : OK;
     if (status == ERROR || status == DISCARDED || status == FATALLY) {

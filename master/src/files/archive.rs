@@ -1,5 +1,6 @@
 //! FMU files: zip archives, unpacked with distrust and packed with care (FMI 2.0 §2.3).
 
+use std::collections::HashSet;
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
@@ -45,6 +46,12 @@ pub enum ArchiveError {
         /// What is wrong with it.
         reason: &'static str,
     },
+    /// Two entries have the same name.
+    #[error("{path}: two entries of the archive have the same name; the FMU is refused")]
+    Repeated {
+        /// Archive.
+        path: String,
+    },
     /// Too large.
     #[error("{path} unpacks to {what}; the FMU is refused")]
     TooLarge {
@@ -77,7 +84,11 @@ fn unpack_within(limits: Limits, archive: &Path, target: &Path) -> Result<(), Ar
     if zip.decompressed_size().is_some_and(|size| size > u128::from(limits.bytes)) {
         return Err(too_many_bytes());
     }
+    if zip.has_duplicate_names() {
+        return Err(ArchiveError::Repeated { path: path() });
+    }
     let mut left = limits.bytes;
+    let mut unpacked = HashSet::new();
     for i in 0..zip.len() {
         let mut entry = zip.by_index(i).map_err(damaged)?;
         let name = entry.name().map_err(damaged)?.into_owned();
@@ -93,6 +104,9 @@ fn unpack_within(limits: Limits, archive: &Path, target: &Path) -> Result<(), Ar
         }
         if let Some(folder) = destination.parent() {
             fs::create_dir_all(folder).map_err(FileError::at(folder))?;
+        }
+        if !unpacked.insert(destination.components().collect::<PathBuf>()) {
+            return Err(refuse("is written where another one is"));
         }
         let mut out = fs::File::create(&destination).map_err(FileError::at(&destination))?;
         // The stated size may lie, so what is unpacked is counted.
@@ -231,6 +245,32 @@ mod tests {
         zip.finish().unwrap();
         let error = unpack(&path, &folder.path().join("target")).unwrap_err();
         assert!(error.to_string().contains("symbolic link"), "{error}");
+    }
+
+    /// The writer refuses equal names, so the second is changed in the archive. Which of the two a tool reads
+    /// is chance.
+    #[test]
+    fn an_archive_with_two_entries_of_one_name_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("twice.fmu");
+        for (second, reason) in [
+            ("modelDescription.xmk", "two entries of the archive have the same name"),
+            ("./modelDescription.xml", "'./modelDescription.xml' is written where another one is"),
+        ] {
+            let mut zip = zip::ZipWriter::new(fs::File::create(&path).unwrap());
+            for name in ["modelDescription.xml", second] {
+                zip.start_file(name, SimpleFileOptions::default()).unwrap();
+            }
+            zip.finish().unwrap();
+            let mut bytes = fs::read(&path).unwrap();
+            while let Some(at) = bytes.windows(4).position(|part| part == b".xmk") {
+                bytes[at..at + 4].copy_from_slice(b".xml");
+            }
+            fs::write(&path, bytes).unwrap();
+            let target = tempfile::tempdir().unwrap();
+            let error = unpack(&path, target.path()).unwrap_err().to_string();
+            assert!(error.contains(reason), "{error}");
+        }
     }
 
     const SMALL: Limits = Limits { bytes: 6, files: 1 };

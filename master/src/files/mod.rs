@@ -2,4 +2,5 @@
 
 pub mod archive;
 pub mod file_error;
+pub mod xml_depth;
 pub mod xml_text;

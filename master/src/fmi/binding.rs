@@ -50,14 +50,21 @@ pub struct Callbacks {
     pub environment: *mut c_void,
 }
 
+/// Loads a library, which stays loaded as long as the process: threads that it has started, and what it
+/// has left with the system for the end, outlive its instances.
+fn library(binary: &Path) -> Result<&'static Library, libloading::Error> {
+    // SAFETY: loading runs the binary's initialisers; to run a foreign binary is what importing an FMU
+    // means, and the user has chosen the file.
+    let library = unsafe { Library::new(binary)? };
+    Ok(Box::leak(Box::new(library)))
+}
+
 /// Loads each function by its name; a missing one is reported by that name.
 macro_rules! functions {
     ($($(#[$doc:meta])* $field:ident = $name:literal : fn($($argument:ty),*) -> $result:ty;)*) => {
         /// The functions of a binary that the master calls; all 34 must be there (§2.3).
         pub struct Functions {
             $($(#[$doc])* pub $field: unsafe extern "C" fn($($argument),*) -> $result,)*
-            /// Keeps the functions valid.
-            _library: Library,
         }
 
         impl Functions {
@@ -66,9 +73,7 @@ macro_rules! functions {
             /// # Errors
             /// When the binary cannot be loaded or lacks a function.
             pub fn load(binary: &Path) -> Result<Self, libloading::Error> {
-                // SAFETY: loading runs the binary's initialisers; to run a foreign binary is
-                // what importing an FMU means, and the user has chosen the file.
-                let library = unsafe { Library::new(binary)? };
+                let library = library(binary)?;
                 $(
                     // SAFETY: FMI 2.0 fixes the type of the function of that name.
                     let $field = *unsafe {
@@ -79,7 +84,7 @@ macro_rules! functions {
                     // SAFETY: the symbol is only looked up, never called.
                     unsafe { library.get::<unsafe extern "C" fn()>(*name)? };
                 }
-                Ok(Self { $($field,)* _library: library })
+                Ok(Self { $($field,)* })
             }
         }
 
@@ -158,8 +163,7 @@ const ALSO_REQUIRED: &[&[u8]] = &[
 /// # Errors
 /// When the binary cannot be loaded.
 pub fn missing_functions(binary: &Path) -> Result<Vec<String>, libloading::Error> {
-    // SAFETY: as in `Functions::load`.
-    let library = unsafe { Library::new(binary)? };
+    let library = library(binary)?;
     // SAFETY: the symbol is only looked up, never called.
     let lacks = |name: &[u8]| unsafe { library.get::<unsafe extern "C" fn()>(name) }.is_err();
     let names = CALLED.iter().chain(ALSO_REQUIRED).filter(|name| lacks(name));

@@ -9,6 +9,8 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
 use super::binaries::{Binaries, PLATFORM};
 use super::binding::{Functions, reason};
+use super::guard::environment::Environment;
+use super::messages::Messages;
 use super::origins::Origins;
 use crate::files::archive::{self, ArchiveError};
 use crate::files::xml_text;
@@ -97,6 +99,10 @@ pub struct Import {
     file: String,
     interface: Interface,
     pub(super) functions: Functions,
+    /// The loaded binary.
+    binary: PathBuf,
+    /// What loading it did to how the processor computes.
+    change: Option<String>,
     /// Keeps the unpacked files.
     folder: tempfile::TempDir,
     /// What the resources are copies of.
@@ -125,16 +131,22 @@ impl Import {
         archive::unpack(path, folder.path())?;
         let interface = read_interface(folder.path(), &file)?;
         let binary = binary_path(&interface.identifier);
-        if !folder.path().join(&binary).is_file() {
+        let full = folder.path().join(&binary);
+        if !full.is_file() {
             let (binary, has) =
                 (binary.display().to_string(), Binaries::of(folder.path()).sentence());
             return Err(ImportError::NoBinary { file, binary, has });
         }
-        let functions = Functions::load(&folder.path().join(&binary)).map_err(|cause| {
-            ImportError::Binary { file: file.clone(), binary: binary.display().to_string(), cause }
+        let before = Environment::now();
+        let functions = Functions::load(&full);
+        let change = before.put_back();
+        let functions = functions.map_err(|cause| ImportError::Binary {
+            file: file.clone(),
+            binary: binary.display().to_string(),
+            cause,
         })?;
-        let fatal = AtomicBool::new(false);
-        Ok(Arc::new(Self { file, interface, functions, folder, origins, fatal }))
+        let (binary, fatal) = (full, AtomicBool::new(false));
+        Ok(Arc::new(Self { file, interface, functions, binary, change, folder, origins, fatal }))
     }
 
     /// What the model description of an FMU says, whose binary is not needed.
@@ -156,6 +168,18 @@ impl Import {
     /// The FMU's file.
     pub fn file(&self) -> &str {
         &self.file
+    }
+
+    /// The loaded binary.
+    pub(super) fn binary(&self) -> &Path {
+        &self.binary
+    }
+
+    /// Notes for an instance what loading the binary did to how the processor computes.
+    pub(super) fn tell_loading(&self, messages: &Messages) {
+        if let Some(change) = &self.change {
+            messages.note_environment(&format!("loading its binary left {change}"));
+        }
     }
 
     /// Notes that an instance has returned `fmi2Fatal`.

@@ -4,9 +4,11 @@ use std::ffi::{CStr, CString};
 use std::sync::Arc;
 
 use super::binding::{self, Component, FATAL, FmuState, Functions, OK, Status, WARNING};
-use super::callbacks::{Messages, callbacks};
-use super::crash::calling;
+use super::callbacks::callbacks;
+use super::guard::arrays::Arrays;
+use super::guard::guarded;
 use super::import::Import;
+use super::messages::Messages;
 use crate::interface::VariableType;
 use crate::system::unit::UnitError;
 
@@ -32,9 +34,11 @@ pub struct FmuInstance {
     pub(super) retries: bool,
     /// The state before the last step, if discarded steps are tried again.
     pub(super) slot: StateSlot,
-    pub(super) messages: Box<Messages>,
-    /// Kept because the FMU may hold on to the pointer.
-    _callbacks: Box<binding::Callbacks>,
+    pub(super) messages: &'static Messages,
+    /// Arrays for Reals.
+    pub(super) reals: Arrays<f64>,
+    /// Arrays for Integers and Booleans.
+    pub(super) integers: Arrays<i32>,
 }
 
 // SAFETY: an FMU instance may be called from any thread as long as the calls do not overlap
@@ -48,22 +52,23 @@ impl FmuInstance {
     /// # Errors
     /// When the FMU refuses, with what it logged.
     pub fn new(import: &Arc<Import>, name: &str) -> Result<Self, UnitError> {
-        let messages = Box::<Messages>::default();
-        let callbacks = Box::new(callbacks(&messages));
         let c_name = CString::new(name).unwrap_or_default();
         let guid = CString::new(import.interface().guid.as_str()).unwrap_or_default();
         let resources = CString::new(import.resource_uri()).unwrap_or_default();
-        let label = CString::new(format!("{name} ({})", import.file())).unwrap_or_default();
-        let component = calling(&label, c"fmi2Instantiate", || {
-            // SAFETY: the strings and the callbacks live during the call, and the callbacks and
-            // messages as long as the instance.
+        let label = format!("{name} ({})", import.file());
+        let messages = Messages::of(&label, import.binary());
+        import.tell_loading(messages);
+        let callbacks = callbacks(messages);
+        let label = CString::new(label).unwrap_or_default();
+        let component = guarded(messages, &label, c"fmi2Instantiate", || {
+            // SAFETY: the strings live during the call, the callbacks as long as the process.
             unsafe {
                 (import.functions.instantiate)(
                     c_name.as_ptr(),
                     CO_SIMULATION,
                     guid.as_ptr(),
                     resources.as_ptr(),
-                    &raw const *callbacks,
+                    callbacks,
                     0,
                     0,
                 )
@@ -79,7 +84,8 @@ impl FmuInstance {
             retries: false,
             slot: StateSlot::default(),
             messages,
-            _callbacks: callbacks,
+            reals: Arrays::default(),
+            integers: Arrays::default(),
         };
         if component.is_null() {
             return Err(instance.error("fmi2Instantiate".to_owned(), None));
@@ -128,7 +134,7 @@ impl FmuInstance {
             return Err(self.error(action, None));
         }
         let (functions, component) = (&self.import.functions, self.component);
-        Ok(calling(&self.label, name, || function(functions, component)))
+        Ok(guarded(self.messages, &self.label, name, || function(functions, component)))
     }
 
     /// Calls a function of the FMU and turns a bad status into an error; `detail` follows the name
@@ -166,6 +172,17 @@ impl FmuInstance {
         error
     }
 
+    /// The error of a call in which the FMU has done what it must not.
+    pub(super) fn damaged(
+        &self,
+        name: &CStr,
+        detail: impl FnOnce(&Self) -> String,
+        damage: String,
+    ) -> UnitError {
+        let action = format!("{}{}", name.to_string_lossy(), detail(self));
+        UnitError { last_message: Some(damage.into()), ..self.error(action, None) }
+    }
+
     /// Whether the FMU has failed for good.
     pub(super) fn component_is_fatal(&self) -> bool {
         self.component.is_null() || self.import.is_fatal()
@@ -195,7 +212,8 @@ impl Drop for FmuInstance {
         self.free_state();
         if !self.component_is_fatal() {
             let (functions, component) = (&self.import.functions, self.component);
-            calling(&self.label, c"fmi2FreeInstance", || {
+            self.messages.free();
+            guarded(self.messages, &self.label, c"fmi2FreeInstance", || {
                 // SAFETY: the instance is alive and never used again.
                 unsafe { (functions.free_instance)(component) };
             });

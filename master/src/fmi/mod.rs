@@ -6,10 +6,13 @@
 //! | `crash.rs`, `crash.c` | which FMU was at work when the program crashes |
 //! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
 //! | `binaries.rs` | what an unpacked FMU has to be run with |
+//! | `callbacks.rs`, `messages.rs` | the functions that an FMU calls: logger, memory; what it logs |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
+//! | `guard/` | what is checked around every call |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
 //! | `origins.rs` | what its resources are copies of |
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
+//! | `manner.rs`, `home.rs` | how an instance is called: on a thread of its own |
 //! | `resource_paths.rs` | texts that name files in an FMU's own resources |
 //! | `step.rs` | the step, and what each status of it means |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
@@ -25,8 +28,12 @@ mod callbacks;
 mod crash;
 mod describe;
 mod documentation;
+mod guard;
+mod home;
 mod import;
 mod instance;
+mod manner;
+mod messages;
 mod origins;
 pub mod pack;
 mod resource_paths;
@@ -39,5 +46,6 @@ pub use crash::watch as watch_crashes;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;
+pub use manner::{Manner, unit};
 pub use origins::Origins;
 pub use resource_paths::with_resource_paths;

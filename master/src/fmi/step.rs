@@ -69,6 +69,7 @@ impl FmuInstance {
 
     fn do_step(&mut self, time: f64, length: f64) -> Result<Outcome, UnitError> {
         let detail = |_: &Self| format!(" from {time} s by {length} s");
+        self.messages.reached(time);
         let mut status = self.status_of(
             c"fmi2DoStep",
             // SAFETY: the instance is alive.
@@ -77,6 +78,9 @@ impl FmuInstance {
         )?;
         if status == PENDING {
             status = self.wait()?;
+        }
+        if matches!(status, OK | WARNING) {
+            self.messages.reached(time + length);
         }
         match status {
             OK => Ok(Outcome::Done),

@@ -104,6 +104,8 @@ pub struct SimpleType {
     pub name: String,
     #[serde(rename = "Real")]
     pub real: Option<Real>,
+    #[serde(rename = "Integer")]
+    pub integer: Option<Other>,
 }
 
 #[derive(Deserialize)]
@@ -156,6 +158,10 @@ pub struct Real {
     pub unit: Option<String>,
     #[serde(rename = "@relativeQuantity", default)]
     pub relative: bool,
+    #[serde(rename = "@min")]
+    pub min: Option<String>,
+    #[serde(rename = "@max")]
+    pub max: Option<String>,
     #[serde(rename = "@start")]
     pub start: Option<String>,
 }
@@ -163,6 +169,12 @@ pub struct Real {
 /// A variable of another type than Real.
 #[derive(Deserialize)]
 pub struct Other {
+    #[serde(rename = "@declaredType")]
+    pub declared_type: Option<String>,
+    #[serde(rename = "@min")]
+    pub min: Option<String>,
+    #[serde(rename = "@max")]
+    pub max: Option<String>,
     #[serde(rename = "@start")]
     pub start: Option<String>,
 }

@@ -3,7 +3,7 @@
 //! | file | part |
 //! |---|---|
 //! | `mod.rs` | the run |
-//! | `setup.rs`, `scenario.rs`, `package.rs`, `source.rs` | what is run |
+//! | `options.rs`, `setup.rs`, `scenario.rs`, `package.rs`, `source.rs` | what is run, and how |
 //! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
 //! | `after.rs` | what the rails go through after the run |
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
@@ -21,6 +21,7 @@ mod finished;
 mod live;
 mod manifest;
 mod observe_error;
+mod options;
 mod output_table;
 mod outputs;
 pub mod package;
@@ -35,7 +36,7 @@ mod train_tables;
 mod wiring;
 pub mod workplace;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use after::{Continued, FailedStep, StepFailure};
@@ -44,6 +45,7 @@ pub use export::{Exported, export};
 use finished::Done;
 pub use finished::Finished;
 use live::LiveFigures;
+pub use options::Options;
 use progress::Progress;
 use recorder::Recorder;
 use setup::Setup;
@@ -51,29 +53,11 @@ pub use wiring::wiring;
 use workplace::Workplace;
 
 use crate::report::{self, MainFigure};
-use crate::scenario::Times;
 use crate::system::parallel;
 use crate::system::step::WishToEnd;
 use crate::system::times::Stopwatch;
-use crate::system::unit::{take_warnings, terminate};
+use crate::system::unit::terminate;
 use crate::train::fmus::Folders;
-
-/// How a scenario or a package is run.
-#[derive(Debug, Clone, Default)]
-pub struct Options {
-    /// Threads for the units; none: all cores.
-    pub threads: Option<usize>,
-    /// Folder of the results; none: a new one in `results`.
-    pub results: Option<PathBuf>,
-    /// Folder of Hotfoot's own FMUs.
-    pub fmus: PathBuf,
-    /// Times instead of the scenario's or the package's.
-    pub times: Times,
-    /// Relative tolerance that the FMUs are told instead of their own.
-    pub tolerance: Option<f64>,
-    /// No progress bar.
-    pub quiet: bool,
-}
 
 /// Runs a scenario, the system in a package, or a single FMU.
 ///
@@ -83,10 +67,10 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     let open = |file: &Path| Workplace::open(options.threads, options.results.as_deref(), file);
     if source::is_system(path) {
         let workplace = open(path)?;
-        let Options { times, tolerance, .. } = options;
-        let Workplace { results, threads, .. } = &workplace;
-        let setup = package::setup(path, results, (times, *tolerance), *threads)?;
-        return in_workplace(setup, &workplace, options.quiet);
+        return workplace.pool.install(|| {
+            let setup = package::setup(path, options, &workplace)?;
+            in_workplace(setup, &workplace, options.quiet)
+        });
     }
     let (mut scenario, file, text) = crate::scenario::load(path)?;
     for (option, value) in options.times.stated() {
@@ -94,20 +78,25 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     }
     options.times.replace_in(&mut scenario, &file)?;
     scenario.fmus.tolerance = options.tolerance.or(scenario.fmus.tolerance);
+    scenario.checks = options.checks.or(scenario.checks);
+    scenario.fmus.same_thread |= options.same_thread;
     let workplace = open(&file)?;
     let folders = Folders { fmus: options.fmus.clone(), results: workplace.results.clone() };
-    let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
-    in_workplace(setup, &workplace, options.quiet)
+    // With one thread all that an FMU sees, from loading to freeing, happens on it.
+    workplace.pool.install(|| {
+        let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
+        in_workplace(setup, &workplace, options.quiet)
+    })
 }
 
-/// Runs what is set up, and writes its report.
+/// Runs what is set up, on the threads of the workplace, and writes its report.
 fn in_workplace(
     mut setup: Setup,
     workplace: &Workplace,
     quiet: bool,
 ) -> Result<Finished, RunError> {
-    let Workplace { threads, pool, results } = workplace;
-    let done = pool.install(|| perform(&mut setup, results, quiet))?;
+    let Workplace { threads, results, .. } = workplace;
+    let done = perform(&mut setup, results, quiet)?;
     let (report, figures) = report::write(results)?;
     let stages = setup.stages_with_units();
     let Setup { system, mut manifest, .. } = setup;
@@ -138,7 +127,7 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     let live = setup.live_figures();
     setup.describe()?;
     // The observed outputs as they are at the start.
-    parallel::for_each(&mut setup.system.parts, |part| part.outputs.get(part.unit.as_mut()))
+    parallel::for_each(&mut setup.system.parts, |part| part.take_outputs(clock.start))
         .map_err(crate::system::start::StartError::from)?;
     recorder.observe(0, &mut setup.system)?;
 
@@ -168,7 +157,7 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     }
     recorder.finish()?;
     let end = terminate(system.units_mut());
-    manifest.warnings.extend(take_warnings(system.units_mut()));
+    manifest.warnings.extend(system.take_warnings());
     if let Ok(Some(WishToEnd { of, time, .. })) = &outcome {
         manifest.warnings.push(format!("the run ended at {time} s, because {of} wanted it to end"));
     }

@@ -5,12 +5,14 @@ use std::path::Path;
 use super::after::Rails;
 use super::error::RunError;
 use super::manifest::{Manifest, component_facts};
-use super::output_table::{renamed, table_name};
+use super::options::Options;
+use super::output_table::{renamed, same_tables, table_name};
 use super::setup::{Setup, Subject};
 use super::source;
+use super::workplace::Workplace;
 use crate::report::SystemFacts;
 use crate::scenario::Times;
-use crate::ssp;
+use crate::ssp::{self, SspError};
 use crate::system::clock::Clock;
 use crate::system::step::System;
 use crate::system::structure::Structure;
@@ -23,31 +25,39 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Sets the system at `path` up, to be run with so many threads in the folder `results`.
+/// Sets the system at `path` up, to be run in a workplace.
 ///
 /// The FMUs of a package stay there, beside the results that they make.
 ///
 /// # Errors
 /// When the package is wrong or does not fit its FMUs.
-pub fn setup(
+pub(crate) fn setup(
     path: &Path,
-    results: &Path,
-    (times, tolerance): (&Times, Option<f64>),
-    threads: usize,
+    options: &Options,
+    workplace: &Workplace,
 ) -> Result<Setup, RunError> {
+    let Workplace { threads, ref results, .. } = *workplace;
     let (folder, mut structure) = source::read(path, &results.join("package"))?;
+    for component in &mut structure.components {
+        component.schedule.same_thread |= options.same_thread;
+    }
     let file = path.display().to_string();
     let imports = ssp::imports(&structure, &folder, &file)?;
     ssp::leave_out_unmatched(&mut structure, &imports);
-    structure.tolerance = tolerance;
+    structure.tolerance = options.tolerance;
     if let ([component], None) = (structure.components.as_slice(), structure.stop) {
         let proposed = imports[&component.source].interface().experiment;
         structure.start = structure.start.or(proposed.start);
         structure.stop = proposed.stop.filter(|stop| *stop > structure.start.unwrap_or(0.0));
         structure.step = structure.step.or(proposed.step);
     }
-    let (clock, steps, every) = times_of(&structure, times)?;
-    let system = ssp::open(&structure, &imports, &file, clock)?;
+    let (clock, steps, every) = times_of(&structure, &options.times)?;
+    let mut system = ssp::open(&structure, &imports, &file, clock)?;
+    system.set_checks(options.checks.unwrap_or_default());
+    let problems = same_tables(&system);
+    if !problems.is_empty() {
+        return Err(SspError::Unfit { file, problems }.into());
+    }
     let mut manifest = Manifest::new(&system);
     manifest.warnings.clone_from(&structure.notes);
     manifest.warnings.extend(renamed(&system));

@@ -36,6 +36,11 @@ pub struct Fmus {
     /// Relative tolerance of the FMUs' solvers; left out: what each FMU proposes.
     #[garde(inner(range(min = 1e-15, max = 1.0)))]
     pub tolerance: Option<f64>,
+    /// Whether each FMU that is named here is made, called and freed on a thread of its own.
+    ///
+    /// For FMUs that may be called only by the thread that has made them.
+    #[garde(skip)]
+    pub same_thread: bool,
 }
 
 /// An FMU, or other parameters, for one vehicle.
@@ -57,4 +62,8 @@ pub struct VehicleReplacement {
     #[serde(default)]
     #[garde(skip)]
     pub parameters: BTreeMap<String, Value>,
+    /// Whether its FMU is made, called and freed on a thread of its own.
+    #[serde(default)]
+    #[garde(skip)]
+    pub same_thread: bool,
 }

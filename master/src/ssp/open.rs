@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::error::SspError;
 use super::package::path_of;
-use crate::fmi::{FmuInstance, Import, with_resource_paths};
+use crate::fmi::{self, Import, Manner, with_resource_paths};
 use crate::system::clock::Clock;
 use crate::system::compile::{CompileError, compile};
 use crate::system::step::System;
@@ -29,8 +29,10 @@ pub fn open(
 ) -> Result<System, SspError> {
     let structure = with_resource_paths(structure, |component| imports.get(&component.source));
     let unit = |component: &Component| -> Result<Box<dyn Unit>, SspError> {
-        let instance = FmuInstance::new(&imports[&component.source], &component.name)?;
-        Ok(Box::new(instance.with_tolerance(structure.tolerance)))
+        let import = &imports[&component.source];
+        let (same_thread, tolerance) = (component.schedule.same_thread, structure.tolerance);
+        let manner = Manner { same_thread, tolerance, ..Manner::default() };
+        Ok(fmi::unit(import, &component.name, manner)?)
     };
     let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
     compile(&structure, units, clock).map_err(|error| match error {

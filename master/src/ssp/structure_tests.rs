@@ -188,7 +188,7 @@ fn a_schedule_is_read_as_it_was_written() {
         }
         written.step = Some(1e-3);
         written.stages = vec!["train".to_owned(), "rail".to_owned()];
-        written.components[1].schedule = Schedule { stage: 1, every: 10 };
+        written.components[1].schedule = Schedule { stage: 1, every: 10, ..Schedule::default() };
         written.connections[0].sampling = sampling;
         assert_eq!(written_and_read(&written), written);
     }

@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
+use crate::interface::range::Range;
 use crate::interface::{Interface, Variable, VariableType};
 use crate::system::unit::{Unit, UnitError};
 
@@ -37,6 +38,7 @@ impl Mock {
             discrete: false,
             unit: None,
             si: None,
+            range: Range::FINITE,
             start: None,
             description: String::new(),
         };

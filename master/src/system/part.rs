@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::checks::Watch;
 use super::clock::Clock;
 use super::signals::Signals;
 use super::structure::Sampling;
@@ -23,6 +24,8 @@ pub struct Part {
     pub every: u64,
     /// Stage in which it steps.
     pub stage: usize,
+    /// Checks what the unit gives.
+    pub watch: Watch,
     /// Wall time of its steps so far.
     pub wall: Duration,
     /// Sums of the connected inputs since its last step, where it steps less often than the others.
@@ -34,8 +37,10 @@ pub struct Part {
 impl Part {
     /// A unit that is not connected yet.
     pub fn new(unit: Box<dyn Unit>, stage: usize, every: u64) -> Self {
+        let watch = Watch::of(unit.interface());
         Self {
             unit,
+            watch,
             inputs: Signals::default(),
             outputs: Signals::default(),
             starts: Signals::default(),
@@ -74,9 +79,35 @@ impl Part {
         let watch = (!self.unit.is_brief()).then(Stopwatch::start);
         self.inputs.set(self.unit.as_mut())?;
         self.unit.step(time, length)?;
-        self.outputs.get(self.unit.as_mut())?;
+        self.take_outputs(time + length)?;
         self.wall += watch.map_or(Duration::ZERO, |mut watch| watch.lap());
         Ok(())
+    }
+
+    /// Gets the outputs as they are at `time`, s, and checks them.
+    ///
+    /// # Errors
+    /// When the unit fails, or an output cannot be.
+    pub fn take_outputs(&mut self, time: f64) -> Result<(), UnitError> {
+        let Self { unit, outputs, watch, .. } = self;
+        outputs.get(unit.as_mut())?;
+        watch.check(outputs, unit.as_ref(), time)?;
+        watch.check_motions(outputs, unit.as_ref(), time)
+    }
+
+    /// Gets other variables as they are at `time`, s, and checks them.
+    ///
+    /// # Errors
+    /// When the unit fails, or a value cannot be.
+    pub fn take(&mut self, signals: &mut Signals, time: f64) -> Result<(), UnitError> {
+        signals.get(self.unit.as_mut())?;
+        self.watch.check(signals, self.unit.as_ref(), time)
+    }
+
+    /// Takes the warnings of the unit and of the checks, under the unit's name.
+    pub fn take_warnings(&mut self) -> Vec<String> {
+        let texts = self.unit.take_warnings().into_iter().chain(self.watch.take_warnings());
+        texts.map(|text| format!("{}: {text}", self.unit.name())).collect()
     }
 
     /// Turns the sums into the inputs of the next step and begins new ones.

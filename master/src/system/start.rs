@@ -59,6 +59,7 @@ impl System {
     /// once more what those before it give.
     fn begin(&mut self, stage: usize) -> Result<(), UnitError> {
         let all = vec![true; self.parts.len()];
+        let start = self.clock.start;
         let parts = self.stages[stage].parts.clone();
         let changed = self.take(stage, &all);
         let mut concerned: Vec<_> = self.parts[parts].iter_mut().zip(changed).collect();
@@ -67,7 +68,7 @@ impl System {
                 part.inputs.set(part.unit.as_mut())?;
             }
             part.unit.exit_initialization()?;
-            part.outputs.get(part.unit.as_mut())
+            part.take_outputs(start)
         })
     }
 

@@ -8,6 +8,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
+use super::checks::Checks;
 use super::clock::Clock;
 use super::links::Links;
 use super::parallel;
@@ -102,6 +103,16 @@ impl System {
     /// All units, in the order of the parts.
     pub fn units(&self) -> impl Iterator<Item = &dyn Unit> {
         self.parts.iter().map(|part| part.unit.as_ref())
+    }
+
+    /// Says what becomes of values of its units that cannot be.
+    pub fn set_checks(&mut self, checks: Checks) {
+        self.parts.iter_mut().for_each(|part| part.watch.checks = checks);
+    }
+
+    /// Takes the warnings of all units and of the checks.
+    pub fn take_warnings(&mut self) -> Vec<String> {
+        self.parts.iter_mut().flat_map(Part::take_warnings).collect()
     }
 
     /// All units, in the order of the parts.

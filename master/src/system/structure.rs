@@ -46,7 +46,7 @@ pub struct Component {
     pub schedule: Schedule,
 }
 
-/// When a component steps.
+/// When a component steps, and where.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Schedule {
     /// In a step of the exchange the stages follow one another, from 0: a component takes what those
@@ -54,12 +54,14 @@ pub struct Schedule {
     pub stage: usize,
     /// It steps at every so many communication points.
     pub every: u64,
+    /// Whether its FMU must be called by the thread that has made it.
+    pub same_thread: bool,
 }
 
 impl Default for Schedule {
     /// With all others, at every communication point.
     fn default() -> Self {
-        Self { stage: 0, every: 1 }
+        Self { stage: 0, every: 1, same_thread: false }
     }
 }
 

@@ -243,12 +243,3 @@ pub fn terminate<'u>(units: impl Iterator<Item = &'u mut Box<dyn Unit>>) -> Resu
     let ends: Vec<_> = units.map(|unit| unit.terminate()).collect();
     ends.into_iter().collect()
 }
-
-/// Takes the warnings that units have logged, each under its unit's name.
-pub fn take_warnings<'u>(units: impl Iterator<Item = &'u mut Box<dyn Unit>>) -> Vec<String> {
-    let of_unit = |unit: &mut Box<dyn Unit>| -> Vec<String> {
-        let texts = unit.take_warnings();
-        texts.into_iter().map(|text| format!("{}: {text}", unit.name())).collect()
-    };
-    units.flat_map(of_unit).collect()
-}

@@ -14,7 +14,7 @@ use crate::fmi::Import;
 use crate::interface::Interface;
 use crate::scenario::{Heat, Scenario};
 use crate::system::step::System;
-use crate::system::structure::{Parameter, Value};
+use crate::system::structure::{Parameter, Schedule, Value};
 use crate::system::unit::UnitError;
 
 /// Distance of each rail to the right of the track's middle on standard gauge, m.
@@ -41,7 +41,10 @@ impl Builder<'_> {
                 _ => format!("rail[{}]", SIDES[side]),
             };
             let parameters = self.rail_parameters(heat, side, &import)?;
-            self.add(&component, &import, parameters, RAIL_STAGE, every);
+            let fmus = &self.scenario.fmus;
+            let same_thread = fmus.same_thread && fmus.railheat.is_some();
+            let schedule = Schedule { stage: RAIL_STAGE, every, same_thread };
+            self.add(&component, &import, parameters, schedule);
             self.layout.rails.push(RailHolder { component, side });
         }
         Ok(())
