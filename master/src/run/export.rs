@@ -129,6 +129,7 @@ mod tests {
             discrete: false,
             unit: None,
             si: None,
+            range: crate::interface::range::Range::FINITE,
             start: start.map(str::to_owned),
             description: String::new(),
         };

@@ -155,6 +155,7 @@ mod tests {
             discrete,
             unit: None,
             si: None,
+            range: crate::interface::range::Range::FINITE,
             start: None,
             description: String::new(),
         };
