@@ -30,7 +30,7 @@ mod system;
 mod train;
 
 pub use files::archive;
-pub use fmi::{FmuInstance, Import, pack, watch_crashes};
+pub use fmi::{FmuInstance, Import, UNLOADING, pack, watched};
 pub use interface::Interface;
 pub use run::error::RunError;
 pub use run::{Finished, Options, run};

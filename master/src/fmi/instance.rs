@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::binding::{self, Component, FATAL, FmuState, Functions, OK, Status, WARNING};
 use super::callbacks::{Messages, callbacks};
-use super::crash::calling;
 use super::import::Import;
+use super::watched::{Label, calling, label};
 use crate::interface::VariableType;
 use crate::system::unit::UnitError;
 
@@ -21,8 +21,8 @@ pub(super) struct StateSlot(pub(super) Option<FmuState>);
 pub struct FmuInstance {
     pub(super) import: Arc<Import>,
     pub(super) name: String,
-    /// Name and file, for the message of a crash.
-    label: CString,
+    /// Name and file, for the message of a crash or a call without end.
+    label: Label,
     component: Component,
     /// Whether a discarded step is tried again in parts.
     pub(super) retries: bool,
@@ -49,8 +49,8 @@ impl FmuInstance {
         let c_name = CString::new(name).unwrap_or_default();
         let guid = CString::new(import.interface().guid.as_str()).unwrap_or_default();
         let resources = CString::new(import.resource_uri()).unwrap_or_default();
-        let label = CString::new(format!("{name} ({})", import.file())).unwrap_or_default();
-        let component = calling(&label, c"fmi2Instantiate", || {
+        let label = label(&format!("{name} ({})", import.file()));
+        let component = calling(label, c"fmi2Instantiate", || {
             // SAFETY: the strings and the callbacks live during the call, and the callbacks and
             // messages as long as the instance.
             unsafe {
@@ -115,7 +115,7 @@ impl FmuInstance {
             return Err(self.error(action, None));
         }
         let (functions, component) = (&self.import.functions, self.component);
-        Ok(calling(&self.label, name, || function(functions, component)))
+        Ok(calling(self.label, name, || function(functions, component)))
     }
 
     /// Calls a function of the FMU and turns a bad status into an error; `detail` follows the name
@@ -182,7 +182,7 @@ impl Drop for FmuInstance {
         self.free_state();
         if !self.component_is_fatal() {
             let (functions, component) = (&self.import.functions, self.component);
-            calling(&self.label, c"fmi2FreeInstance", || {
+            calling(self.label, c"fmi2FreeInstance", || {
                 // SAFETY: the instance is alive and never used again.
                 unsafe { (functions.free_instance)(component) };
             });

@@ -3,7 +3,8 @@
 //! | file | part |
 //! |---|---|
 //! | `binding.rs` | the C functions of an FMU's binary |
-//! | `crash.rs`, `crash.c` | which FMU was at work when the program crashes |
+//! | `watched/` | what is called just now, for the parent of the process |
+//! | `library.rs` | the binary, loaded |
 //! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
@@ -20,21 +21,22 @@
 
 mod binding;
 mod callbacks;
-mod crash;
 mod describe;
 mod documentation;
 mod import;
 mod instance;
+mod library;
 mod origins;
 pub mod pack;
 mod resource_paths;
 mod step;
 mod unit;
+pub mod watched;
 
 pub use binding::missing_functions;
-pub use crash::watch as watch_crashes;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;
+pub use library::UNLOADING;
 pub use origins::Origins;
 pub use resource_paths::with_resource_paths;

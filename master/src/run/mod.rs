@@ -9,17 +9,20 @@
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
 //! | `expected.rs` | the figures of a run against those expected |
 //! | `progress.rs`, `live.rs` | the progress bar |
+//! | `stop.rs` | whether the run is to stop before its end |
 //! | `export.rs`, `sources.rs` | a scenario's train as a package |
 //! | `wiring.rs` | what would be run, without running it |
-//! | `workplace.rs`, `error.rs` | threads and the folder of a run, and why it failed |
+//! | `folder/` | the folder of a run: claimed, and completed after any end |
+//! | `workplace.rs`, `error.rs` | threads and name of a run, and why it failed |
 
 mod after;
 pub mod error;
 pub mod expected;
 mod export;
 mod finished;
+pub mod folder;
 mod live;
-mod manifest;
+pub mod manifest;
 mod observe_error;
 mod output_table;
 mod outputs;
@@ -30,6 +33,7 @@ pub mod scenario;
 mod setup;
 mod sources;
 mod step_table;
+mod stop;
 mod train_tables;
 mod wiring;
 pub mod workplace;
@@ -43,9 +47,12 @@ pub use export::{Exported, export};
 use finished::Done;
 pub use finished::Finished;
 use live::LiveFigures;
+use manifest::{End, Ended, Manifest};
 use progress::Progress;
 use recorder::Recorder;
 use setup::Setup;
+use stop::stopped;
+pub use stop::{PARENT_GONE, Stopped, signal_name};
 pub use wiring::wiring;
 use workplace::Workplace;
 
@@ -61,8 +68,6 @@ use crate::train::fmus::Folders;
 pub struct Options {
     /// Threads for the units; none: all cores.
     pub threads: Option<usize>,
-    /// Folder of the results; none: a new one in `results`.
-    pub results: Option<PathBuf>,
     /// Folder of Hotfoot's own FMUs.
     pub fmus: PathBuf,
     /// Times instead of the scenario's or the package's.
@@ -76,51 +81,71 @@ pub fn is_package(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "ssp")
 }
 
-/// Runs a scenario or the system in a package.
+/// Runs a scenario or the system in a package; the results go into the folder `results`, an absolute
+/// path, which the caller has claimed for it.
 ///
 /// # Errors
-/// When the scenario or package is wrong or a unit fails.
-pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
-    let open = |file: &Path| Workplace::open(options.threads, options.results.as_deref(), file);
+/// When the scenario or package is wrong or a unit fails; what was recorded is complete.
+pub fn run(path: &Path, results: &Path, options: &Options) -> Result<Finished, RunError> {
     if is_package(path) {
-        let workplace = open(path)?;
-        let setup = package::setup(path, &workplace.results, &options.times, workplace.threads)?;
-        return in_workplace(setup, &workplace, options.quiet);
+        let workplace = Workplace::open(options.threads)?;
+        let setup = package::setup(path, results, &options.times, workplace.threads)?;
+        return in_workplace(setup, &workplace, results, options.quiet);
     }
     let (mut scenario, file, text) = crate::scenario::load(path)?;
     for (option, value) in options.times.stated() {
         RunError::check_time(option, value)?;
     }
     options.times.replace_in(&mut scenario, &file)?;
-    let workplace = open(&file)?;
-    let folders = Folders { fmus: options.fmus.clone(), results: workplace.results.clone() };
+    let workplace = Workplace::open(options.threads)?;
+    let folders = Folders { fmus: options.fmus.clone(), results: results.to_owned() };
     let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
-    in_workplace(setup, &workplace, options.quiet)
+    in_workplace(setup, &workplace, results, options.quiet)
 }
 
-/// Runs what is set up, and writes its report.
+/// Runs what is set up, and writes its report, also of a run that has failed.
 fn in_workplace(
     mut setup: Setup,
     workplace: &Workplace,
+    results: &Path,
     quiet: bool,
 ) -> Result<Finished, RunError> {
-    let Workplace { threads, pool, results } = workplace;
-    let done = pool.install(|| perform(&mut setup, results, quiet))?;
-    let (report, figures) = report::write(results)?;
+    let Workplace { threads, pool } = workplace;
+    let outcome = pool.install(|| perform(&mut setup, results, quiet));
+    let done = match outcome {
+        Ok(done) => done,
+        Err(error) => {
+            // What was recorded has a report nevertheless.
+            if setup.recorded {
+                let _ = write_report(&mut setup.manifest, results);
+            }
+            return Err(error);
+        }
+    };
+    let (report, figures) = write_report(&mut setup.manifest, results)?;
     let stages = setup.stages_with_units();
-    let Setup { system, mut manifest, .. } = setup;
-    manifest.figure.clone_from(&figures);
-    manifest.write(results)?;
+    let Setup { system, manifest, .. } = setup;
     Ok(Finished {
         name: manifest.system.map(|system| system.name),
         figures: figures.into_iter().filter(MainFigure::is_shown).collect(),
         report,
         done,
-        times: system.times,
         stages,
         threads: *threads,
         warnings: manifest.warnings,
+        system,
     })
+}
+
+/// Writes the report, and its figures into the manifest.
+fn write_report(
+    manifest: &mut Manifest,
+    results: &Path,
+) -> Result<(PathBuf, Vec<MainFigure>), RunError> {
+    let (report, figures) = report::write(results)?;
+    manifest.figure.clone_from(&figures);
+    manifest.write(results)?;
+    Ok((report, figures))
 }
 
 /// Initialises, steps and records; whatever happens, what was computed is completed on disk.
@@ -139,6 +164,7 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     parallel::for_each(&mut setup.system.parts, |part| part.outputs.get(part.unit.as_mut()))
         .map_err(crate::system::start::StartError::from)?;
     recorder.observe(0, &mut setup.system)?;
+    setup.recorded = true;
 
     let mut progress = Progress::new(steps, stop, quiet);
     let notes = setup.manifest.run.iter().flat_map(|run| &run.notes);
@@ -146,13 +172,13 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     let begin = Instant::now();
     let mut stepping =
         Stepping { setup, recorder: &mut recorder, progress: &mut progress, live: &live };
-    let outcome = stepping.run(steps);
+    let mut outcome = stepping.run(steps);
     let wall = begin.elapsed();
-    let outcome = outcome.and_then(|()| {
+    if matches!(outcome, Ok(None)) {
         let Setup { system, rails, .. } = &mut *setup;
         let mut run = Continued { system, recorder: &mut recorder, progress: &mut progress };
-        rails.continue_after_run(&mut run, rails_run)
-    });
+        outcome = rails.continue_after_run(&mut run, rails_run);
+    }
     setup.system.times.after = begin.elapsed() - wall;
     progress.finish();
 
@@ -160,19 +186,45 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     if let Some(run) = &mut manifest.run {
         run.energy = recorder.energy("train");
     }
-    recorder.finish()?;
-    let end = terminate(system.units_mut());
+    // A record that has failed is in some of the tables only.
+    let recorded = match &outcome {
+        Ok(_) => recorder.finish().map_err(RunError::from),
+        Err(_) => {
+            drop(recorder);
+            let completed = folder::complete::series(results, manifest.run.is_some());
+            completed.map(|_| ()).map_err(|error| RunError::Observe(error.into()))
+        }
+    };
+    let end = terminate(system.units_mut()).map_err(RunError::End);
     manifest.warnings.extend(take_warnings(system.units_mut()));
     if let Some(run) = &mut manifest.run {
         run.warnings.clone_from(&manifest.warnings);
     }
-    let reached = outcome.as_ref().map_or_else(|failed| failed.time, |()| rails_end);
+    let reached = match &outcome {
+        Ok(None) => rails_end,
+        Ok(Some(stopped)) => stopped.time,
+        Err(failed) => failed.time,
+    };
     let simulated = reached.min(clock.at(steps)) - clock.start;
-    manifest.finish(simulated, wall, system, stages);
-    manifest.write(results)?;
-    outcome.map_err(|failed| RunError::step(failed, results))?;
-    end.map_err(RunError::End)?;
-    Ok(Done { simulated, rails: rails_end - clock.start, wall, steps })
+    manifest.finish(wall, system, stages);
+    let outcome = outcome.map_err(|failed| RunError::step(failed, results));
+    let outcome = outcome.and_then(|stopped| recorded.and(end).map(|()| stopped));
+    manifest.end(simulated, ended(&outcome));
+    let written = manifest.write(results);
+    let stopped = outcome?;
+    written?;
+    let rails = reached - clock.start;
+    let steps = ((simulated / clock.length).round() as u64).max(1);
+    Ok(Done { simulated, rails, wall, steps, stopped })
+}
+
+/// How a run has ended, for its manifest.
+fn ended(outcome: &Result<Option<Stopped>, RunError>) -> Ended {
+    match outcome {
+        Ok(None) => Ended { end: End::Complete, end_reason: None },
+        Ok(Some(stopped)) => Ended::because(End::Interrupted, stopped.to_string()),
+        Err(error) => Ended::because(End::Failed, error.to_string()),
+    }
 }
 
 /// Steps and records.
@@ -184,13 +236,16 @@ struct Stepping<'r> {
 }
 
 impl Stepping<'_> {
-    /// Takes all units through the steps of the run.
-    fn run(&mut self, steps: u64) -> Result<(), FailedStep> {
+    /// Takes all units through the steps of the run, until somebody wants it to stop.
+    fn run(&mut self, steps: u64) -> Result<Option<Stopped>, FailedStep> {
         for k in 0..steps {
             let time = self.setup.system.clock.at(k);
+            if let Some(stopped) = stopped(k, time) {
+                return Ok(Some(stopped));
+            }
             self.step(k).map_err(|source| FailedStep { time, source })?;
         }
-        Ok(())
+        Ok(None)
     }
 
     fn step(&mut self, k: u64) -> Result<(), StepFailure> {

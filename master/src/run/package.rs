@@ -53,7 +53,8 @@ pub fn setup(
     });
     let stages = stage_names(&structure, &system);
     let (stop, subject) = (clock.at(steps), Subject::Package(every));
-    Ok(Setup { system, stages, steps, stop, subject, rails: Rails::default(), manifest })
+    let rails = Rails::default();
+    Ok(Setup { system, stages, steps, stop, subject, rails, manifest, recorded: false })
 }
 
 /// The communication points, the number of steps, and how many there are a record: what the user says,
