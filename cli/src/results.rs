@@ -10,14 +10,20 @@ use hotfoot::run::folder::complete::{complete, is_complete};
 use hotfoot::run::manifest::{End, Ended};
 
 use crate::output::{print, tell};
+use crate::supervise::temporary;
 
 /// Makes the report of a results folder again, and completes the results of a run that was killed.
 ///
 /// # Errors
 /// When the folder is not one that a run has written.
 pub fn report(results: &Path) -> Result<()> {
+    temporary::clean_up();
+    files::exists(results)?;
+    let owner = owner(results)?;
+    let recorded_nothing = || format!("{}: the run has recorded nothing", results.display());
+    ensure!(owner == Owner::None || results.join("series").exists(), recorded_nothing());
     check_folder(results)?;
-    match owner(results)? {
+    match owner {
         Owner::Living => {
             tell("note: the run goes on; the report shows what is recorded until now");
             report::write(results)?;
@@ -28,7 +34,7 @@ pub fn report(results: &Path) -> Result<()> {
         Owner::None | Owner::Dead => {
             let killed = Ended::because(End::Killed, "the program of the run was killed");
             let recorded = complete(results, killed)?;
-            ensure!(recorded.is_some(), "{}: the run has recorded nothing", results.display());
+            ensure!(recorded.is_some(), recorded_nothing());
             release(results);
         }
     }

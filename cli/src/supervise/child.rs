@@ -7,11 +7,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use hotfoot::run::folder::claim::Claim;
+use hotfoot::run::folder::claim::{Claim, abandon, release};
 use hotfoot::watched::{self, Page};
 
 use super::temporary;
-use crate::output::tell;
 
 /// Number of the parent, in the environment of the child.
 const PARENT: &str = "HOTFOOT_PARENT";
@@ -94,7 +93,8 @@ impl Child {
     pub fn finish(&self, code: u8) {
         self.page.finish(code);
         if self.is_orphan() {
-            self.clean_up();
+            self.remove_temporary();
+            self.leave_results();
         }
     }
 
@@ -103,12 +103,17 @@ impl Child {
         parent_id().is_some_and(|parent| parent != self.parent)
     }
 
-    /// Does what the parent does at the end.
-    fn clean_up(&self) {
+    /// Removes the temporary folder, as the parent does it.
+    fn remove_temporary(&self) {
         let _ = std::fs::remove_dir_all(&self.temporary);
-        if let Some(folder) = self.results().filter(|_| self.page.records() > 0) {
-            hotfoot::run::folder::claim::release(folder);
-            tell(format_args!("the results are in {}", folder.display()));
+    }
+
+    /// Leaves the folder of the results, as the parent does it.
+    fn leave_results(&self) {
+        match (self.results(), self.page.records()) {
+            (Some(folder), 0) => abandon(folder),
+            (Some(folder), _) => release(folder),
+            (None, _) => {}
         }
     }
 }
@@ -155,10 +160,12 @@ mod unix {
     /// step soon.
     fn end_alone(child: &Child) {
         child.page.request_stop(PARENT_GONE);
-        if child.page.records() > 0 {
-            thread::sleep(GRACE);
+        match child.page.records() {
+            0 => child.leave_results(),
+            // If it does not come to its end, `hotfoot report` completes what it leaves.
+            _ => thread::sleep(GRACE),
         }
-        child.clean_up();
+        child.remove_temporary();
         let _ = kill_process(getpid(), Signal::KILL);
     }
 }

@@ -52,7 +52,11 @@ pub fn join(folder: &Path) -> std::io::Result<File> {
     Ok(lock)
 }
 
-/// Removes the folders of processes that have died.
+/// Removes what processes that have died have left in the system's temporary folder.
+pub fn clean_up() {
+    remove_stale(&std::env::temp_dir());
+}
+
 fn remove_stale(all: &Path) {
     for entry in fs::read_dir(all).into_iter().flatten().flatten() {
         let name = entry.file_name();

@@ -4,7 +4,6 @@
 //! the lock, which the system lets go when both have ended, however that was: a claim without a lock is
 //! that of a dead run.
 
-use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -62,8 +61,6 @@ pub enum ClaimError {
 pub struct Claim {
     /// The folder.
     folder: PathBuf,
-    /// What was in it before.
-    before: Vec<OsString>,
     /// The folders that were made for it, the innermost first.
     made: Vec<PathBuf>,
     /// Locked, as long as this lives.
@@ -112,18 +109,18 @@ impl Claim {
         let lock = put_claim(folder)?;
         drop(old);
         let folder = std::path::absolute(folder).map_err(FileError::at(folder))?;
-        let mut claim = Self { folder, before: vec![], made, _lock: lock };
+        let claim = Self { folder, made, _lock: lock };
         match claim.take_over(is_dead, overwrite) {
             Ok(()) => Ok(claim),
             Err(error) => {
-                claim.give_back();
+                release(&claim.folder);
                 Err(error)
             }
         }
     }
 
     /// Removes the results of an earlier run, or refuses a folder that has something a run would write.
-    fn take_over(&mut self, is_dead: bool, overwrite: bool) -> Result<(), ClaimError> {
+    fn take_over(&self, is_dead: bool, overwrite: bool) -> Result<(), ClaimError> {
         let folder = &self.folder;
         let path = || folder.display().to_string();
         let has_results = is_dead || has_manifest(folder);
@@ -135,10 +132,7 @@ impl Claim {
             let name = name.to_string_lossy().into_owned();
             return Err(ClaimError::Foreign { path: path(), name });
         }
-        remove(folder, &[]).map_err(FileError::at(folder))?;
-        let before = fs::read_dir(folder).map_err(FileError::at(folder))?;
-        self.before = before.flatten().map(|entry| entry.file_name()).collect();
-        Ok(())
+        Ok(remove(folder).map_err(FileError::at(folder))?)
     }
 
     /// Claims a new folder for the scenario or package in `file`: `results/<name>`, or with a number
@@ -173,7 +167,7 @@ impl Claim {
         let file = folder.join(CLAIM);
         let lock = File::open(&file).map_err(FileError::at(&file))?;
         lock.lock_shared().map_err(FileError::at(&file))?;
-        Ok(Self { folder: folder.to_owned(), before: vec![], made: vec![], _lock: lock })
+        Ok(Self { folder: folder.to_owned(), made: vec![], _lock: lock })
     }
 
     /// Absolute path of the folder.
@@ -188,16 +182,11 @@ impl Claim {
 
     /// Gives a folder back as it was, since the run has failed before it recorded anything.
     pub fn undo(self) {
-        let _ = remove(&self.folder, &self.before);
-        self.give_back();
-    }
-
-    /// Ends the claim, and removes the folders that were made for it.
-    fn give_back(self) {
-        release(&self.folder);
+        abandon(&self.folder);
         // A folder in which something else has come stays.
         let _ = self.made.iter().try_for_each(fs::remove_dir);
     }
+
 }
 
 /// Whether a run has claimed a folder.
@@ -221,6 +210,12 @@ pub fn owner(folder: &Path) -> Result<Owner, FileError> {
 /// Removes the claim on a folder.
 pub fn release(folder: &Path) {
     let _ = fs::remove_file(folder.join(CLAIM));
+}
+
+/// Removes the claim on a folder, and all that its run has written: a claimed folder had nothing of that.
+pub fn abandon(folder: &Path) {
+    let _ = remove(folder);
+    release(folder);
 }
 
 /// Puts a claim into a folder, which is locked already when it comes there.

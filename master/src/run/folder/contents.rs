@@ -26,13 +26,12 @@ pub fn names_of_a_run(folder: &Path) -> io::Result<Vec<OsString>> {
     Ok(names)
 }
 
-/// Removes what a run has written, except what has one of these names.
+/// Removes what a run has written.
 ///
 /// # Errors
 /// When something cannot be removed.
-pub fn remove(folder: &Path, except: &[OsString]) -> io::Result<()> {
-    let names = names_of_a_run(folder)?;
-    for name in names.iter().filter(|name| !except.contains(name)) {
+pub fn remove(folder: &Path) -> io::Result<()> {
+    for name in names_of_a_run(folder)? {
         let path = folder.join(name);
         match path.is_dir() {
             true => fs::remove_dir_all(path)?,
