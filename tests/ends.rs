@@ -68,7 +68,8 @@ fn child_of(process: u32) -> Option<u32> {
 /// Sends a signal to processes.
 fn send(signal: &str, processes: &[u32]) {
     let processes = processes.iter().map(u32::to_string);
-    let kill = std::process::Command::new("kill").arg(format!("-{signal}")).args(processes).output();
+    let kill =
+        std::process::Command::new("kill").arg(format!("-{signal}")).args(processes).output();
     kill.expect("the command kill");
 }
 
@@ -81,7 +82,10 @@ fn is_running(process: u32) -> bool {
 
 /// The manifest of a run.
 fn manifest(results: &Path) -> toml::Table {
-    std::fs::read_to_string(results.join("manifest.toml")).expect("a manifest").parse().expect("TOML")
+    std::fs::read_to_string(results.join("manifest.toml"))
+        .expect("a manifest")
+        .parse()
+        .expect("TOML")
 }
 
 /// The results are complete: a file for each table, a report, and how the run ended.

@@ -26,8 +26,8 @@ pub struct ExportArguments {
     limits: Limits,
 }
 
-/// Writes a scenario's train as an SSP package, in a child process, and tells what is in it. Gives the exit
-/// code.
+/// Writes a scenario's train as an SSP package, in a child process, and tells what is in it.
+/// Gives the exit code.
 ///
 /// # Errors
 /// When the scenario is wrong, a unit fails, or the package cannot be written.

@@ -1,4 +1,6 @@
-//! What the program writes to its terminal. Neither a reader that goes away nor a full device makes it panic.
+//! What the program writes to its terminal.
+//!
+//! Neither a reader that goes away nor a full device makes it panic.
 
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};

@@ -31,9 +31,12 @@ pub fn report(results: &Path) -> Result<()> {
         Owner::None if is_complete(results)? => {
             report::write(results)?;
         }
-        Owner::None | Owner::Dead => {
-            let killed = Ended::because(End::Killed, "the program of the run was killed");
-            let recorded = complete(results, killed)?;
+        owner => {
+            let ended = match owner {
+                Owner::Dead => Ended::because(End::Killed, "the program of the run was killed"),
+                _ => Ended::because(End::Failed, "the run could not complete its results"),
+            };
+            let recorded = complete(results, ended)?;
             ensure!(recorded.is_some(), recorded_nothing());
             release(results);
         }

@@ -49,8 +49,8 @@ pub struct RunArguments {
     limits: Limits,
 }
 
-/// Runs a scenario in a child process, tells where the results are, and the main figures. Gives the exit
-/// code.
+/// Runs a scenario in a child process, tells where the results are, and the main figures.
+/// Gives the exit code.
 ///
 /// # Errors
 /// When the scenario is wrong, or a unit fails or crashes.
@@ -69,7 +69,11 @@ fn run_in_child(arguments: &RunArguments) -> Result<u8> {
     match supervise::in_child(&arguments.limits, Some(claim.folder())) {
         Ok(End { finished: Some(code), blame, records }) => {
             // A start that has failed leaves nothing.
-            if records > 0 { claim.release() } else { claim.undo() }
+            if records > 0 {
+                claim.release()
+            } else {
+                claim.undo()
+            }
             blame.iter().for_each(Blame::warn);
             Ok(code)
         }
@@ -97,7 +101,8 @@ fn complete_results(claim: Claim, blame: &Blame, records: u64) -> Result<u8> {
     if *at_once && records > 0 {
         return answer(format!("{sentence}; `hotfoot report {folder}` completes its results"));
     }
-    let end = if interrupted.is_some() { manifest::End::Interrupted } else { manifest::End::Failed };
+    let end =
+        if interrupted.is_some() { manifest::End::Interrupted } else { manifest::End::Failed };
     let completed = match records {
         0 => Ok(None),
         _ => complete(claim.folder(), Ended::because(end, sentence)),

@@ -26,8 +26,8 @@ pub struct WiringArguments {
     limits: Limits,
 }
 
-/// Prints the components of a scenario or a package, when they step, and what flows between them. Gives the
-/// exit code.
+/// Prints the components of a scenario or a package, when they step, and what flows between them.
+/// Gives the exit code.
 ///
 /// # Errors
 /// When the scenario or package is wrong, or an FMU is missing or unfit.

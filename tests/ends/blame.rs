@@ -98,7 +98,10 @@ fn an_fmu_that_fails_after_all_is_done_is_a_warning() {
         let said = said(&output);
         assert_says(&said, &["warning: all is complete, but afterwards", "hostile", what]);
         assert_eq!(output.status.code(), Some(0), "{said}");
-        assert!(String::from_utf8_lossy(&output.stdout).contains("report: "), "the figures are told");
+        assert!(
+            String::from_utf8_lossy(&output.stdout).contains("report: "),
+            "the figures are told"
+        );
         assert_complete(&package.results(), "complete");
         assert_eq!(times(&package.results()).len(), 11);
         assert!(package.left().is_empty());
@@ -137,7 +140,10 @@ fn an_fmu_that_ends_an_export_is_named() {
     for command in [&["export-ssp", "scenario.toml"][..], &["wiring", "scenario.toml"]] {
         let output = scenario.hotfoot(command);
         assert_eq!(output.status.code(), Some(1));
-        assert_says(&said(&output), &["hostile.fmu: loading the binary has ended the program by exit(0)"]);
+        assert_says(
+            &said(&output),
+            &["hostile.fmu: loading the binary has ended the program by exit(0)"],
+        );
     }
     assert!(!scenario.folder.path().join("scenario.ssp").exists());
 }

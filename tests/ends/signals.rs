@@ -35,7 +35,10 @@ fn a_signal_stops_the_run_at_its_next_step() {
         // The last record is the last that was due before the time of the stop.
         let stop: f64 = manifest["simulated_s"].as_float().unwrap();
         let last = *times(&package.results()).last().unwrap();
-        assert!(stop - last < 0.01 + 1e-9 && stop >= last, "stopped at {stop} s, recorded {last} s");
+        assert!(
+            stop - last < 0.01 + 1e-9 && stop >= last,
+            "stopped at {stop} s, recorded {last} s"
+        );
     }
 }
 
@@ -66,7 +69,10 @@ fn a_second_signal_ends_the_run_at_once() {
     let output = run.wait_with_output().unwrap();
     assert!(begin.elapsed().as_secs() < 5, "at once");
     assert_eq!(output.status.code(), Some(130));
-    assert_says(&said(&output), &["Ctrl-C (SIGINT) again", "`hotfoot report", "completes its results"]);
+    assert_says(
+        &said(&output),
+        &["Ctrl-C (SIGINT) again", "`hotfoot report", "completes its results"],
+    );
     assert!(package.left().is_empty());
     assert!(package.program(&["report", "results"]).output().unwrap().status.success());
     assert_eq!(times(&package.results()).len(), 6);

@@ -58,14 +58,17 @@ pub fn library(package: &str) -> PathBuf {
 pub fn hotfoot(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = command(folder, arguments);
     let output = command.output();
-    output.unwrap_or_else(|e| panic!("{:?}: {e}: run `cargo xtask fmus` first", command.get_program()))
+    output.unwrap_or_else(|e| {
+        panic!("{:?}: {e}: run `cargo xtask fmus` first", command.get_program())
+    })
 }
 
 /// The program `hotfoot` with these arguments in `folder`: that of the release, or the one that
 /// `HOTFOOT_PROGRAM` names in the environment.
 pub fn command(folder: &Path, arguments: &[&str]) -> Command {
     let program = std::env::var_os("HOTFOOT_PROGRAM");
-    let mut command = Command::new(program.map_or_else(|| release().join("hotfoot"), PathBuf::from));
+    let mut command =
+        Command::new(program.map_or_else(|| release().join("hotfoot"), PathBuf::from));
     command.args(arguments).current_dir(folder);
     command
 }

@@ -74,7 +74,10 @@ impl Death<'_> {
             Ended::BeforeRecords(signal) => interrupted(*signal, ""),
             Ended::Stuck(signal) => {
                 let calls = calls(&self.page.calls());
-                interrupted(*signal, &format!("; {calls} did not return within {GRACE:?} after that"))
+                interrupted(
+                    *signal,
+                    &format!("; {calls} did not return within {GRACE:?} after that"),
+                )
             }
             Ended::Overdue(overdue) => {
                 let Call { subject, function, .. } = &overdue.call;
@@ -108,7 +111,9 @@ impl Death<'_> {
         let subject = match (call, library) {
             (Some(Call { subject, function, .. }), _) => format!("{subject}: {function}"),
             (None, Some(library)) => format!("{}{own_thread}", library.display()),
-            (None, None) if culprit.is_unknown_thread => "a thread that an FMU has started".to_owned(),
+            (None, None) if culprit.is_unknown_thread => {
+                "a thread that an FMU has started".to_owned()
+            }
             (None, None) => "Hotfoot itself".to_owned(),
         };
         match culprit.by {
@@ -133,9 +138,11 @@ impl Death<'_> {
                 spent_processor_time().unwrap_or_default()
             ),
             (Some(signal), _) => from_outside(signal),
-            (None, Some(PANIC)) => "Hotfoot itself has failed, with the message above; this is a fault of \
+            (None, Some(PANIC)) => {
+                "Hotfoot itself has failed, with the message above; this is a fault of \
                                     Hotfoot, not of an FMU"
-                .to_owned(),
+                    .to_owned()
+            }
             (None, code) if calls.is_empty() => format!(
                 "the program has ended with code {} before it was done, while no FMU was called; a \
                  thread that an FMU has started may have ended it",

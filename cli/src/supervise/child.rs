@@ -1,5 +1,6 @@
-//! What the child does before its command: it lets its parent watch it, closes the standard input to FMUs,
-//! and stops when it is to stop or its parent has gone.
+//! What the child does before its command.
+//!
+//! It lets its parent watch it, closes the standard input to FMUs, and stops when it is to stop or its parent has gone.
 
 use std::env;
 use std::fs::File;
@@ -105,7 +106,7 @@ impl Child {
 
     /// Removes the temporary folder, as the parent does it.
     fn remove_temporary(&self) {
-        let _ = std::fs::remove_dir_all(&self.temporary);
+        temporary::remove(&self.temporary);
     }
 
     /// Leaves the folder of the results, as the parent does it.

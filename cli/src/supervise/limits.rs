@@ -124,7 +124,8 @@ mod tests {
     fn a_call_is_overdue_when_it_is_the_same_for_too_long() {
         let mut watch = Stopwatch::default();
         let second = Duration::from_secs(1);
-        let mut look = |counter, function| watch.look(call(counter, function), second, &LIMITS, true);
+        let mut look =
+            |counter, function| watch.look(call(counter, function), second, &LIMITS, true);
         for counter in [1, 1, 3, 3, 5] {
             assert_eq!(look(counter, "fmi2DoStep"), None);
         }

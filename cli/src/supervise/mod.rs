@@ -1,5 +1,6 @@
-//! Runs a command in a child of this program, whose calls of FMUs are watched: so an FMU that crashes, ends
-//! its process or never returns costs the child only, and this program says who was at fault.
+//! Runs a command in a child of this program, whose calls of FMUs are watched.
+//!
+//! So an FMU that crashes, ends its process or never returns costs the child only, and this program says who was at fault.
 //!
 //! | file | part |
 //! |---|---|
@@ -24,8 +25,8 @@ use std::process::{Child, Command, Stdio};
 use anyhow::{Context, Result};
 use hotfoot::watched::Page;
 
-pub use blame::{Blame, exit_code};
 use blame::Death;
+pub use blame::{Blame, exit_code};
 use limits::Limits;
 use resources::Resources;
 use temporary::Temporary;
@@ -49,11 +50,11 @@ pub struct End {
 /// # Errors
 /// When the child cannot be started or watched.
 pub fn in_child(limits: &Limits, results: Option<&Path>) -> Result<End> {
+    // From here on a signal is no end of this program.
+    let signals = Signals::new().context("signals cannot be handled")?;
     let temporary = Temporary::new()?;
     let (page, file, path) =
         Page::create(temporary.path()).context("there is no memory to share with a child")?;
-    // From here on a signal is no end of this program.
-    let signals = Signals::new().context("signals cannot be handled")?;
     let before = Resources::now();
     let mut child = start(&path, temporary.path(), results)
         .context("this program cannot be started again as a child")?;

@@ -1,13 +1,13 @@
-//! The temporary folder of a process and its child: it goes with them, and one that was left by processes
-//! that were killed goes when the next begins.
+//! The temporary folder of a process and its child, which goes with them.
+//!
+//! One that was left by processes that were killed goes when the next begins.
 //!
 //! Its processes hold a lock in it, so that one without a lock is known to be left over.
 
 use std::fs::{self, File};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use tempfile::TempDir;
 
 /// How the names of these folders begin; the number of the process follows.
 const PREFIX: &str = "hotfoot-";
@@ -16,7 +16,7 @@ const LOCK: &str = ".lock";
 
 /// A temporary folder, which goes with this.
 pub struct Temporary {
-    folder: TempDir,
+    folder: PathBuf,
     _lock: File,
 }
 
@@ -30,16 +30,46 @@ impl Temporary {
         remove_stale(&all);
         let why = || format!("no temporary folder can be made in {}", all.display());
         let prefix = format!("{PREFIX}{}-", std::process::id());
-        let folder = tempfile::Builder::new().prefix(&prefix).tempdir_in(&all).with_context(why)?;
-        let lock = File::create(folder.path().join(LOCK)).with_context(why)?;
-        lock.lock_shared().with_context(why)?;
-        Ok(Self { folder, _lock: lock })
+        let folder =
+            tempfile::Builder::new().prefix(&prefix).tempdir_in(&all).with_context(why)?.keep();
+        match lock(&folder) {
+            Ok(lock) => Ok(Self { folder, _lock: lock }),
+            Err(error) => {
+                remove(&folder);
+                Err(error).with_context(why)
+            }
+        }
     }
 
     /// The folder.
     pub fn path(&self) -> &Path {
-        self.folder.path()
+        &self.folder
     }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        remove(&self.folder);
+    }
+}
+
+/// Makes and takes the lock of a new folder.
+fn lock(folder: &Path) -> std::io::Result<File> {
+    let lock = File::create(folder.join(LOCK))?;
+    lock.lock_shared()?;
+    Ok(lock)
+}
+
+/// Removes a folder with all that is in it, with one open file at a time: also where there are no more.
+pub fn remove(folder: &Path) {
+    let entries: Vec<_> = fs::read_dir(folder).into_iter().flatten().flatten().collect();
+    for entry in entries {
+        match entry.file_type() {
+            Ok(kind) if kind.is_dir() => remove(&entry.path()),
+            _ => drop(fs::remove_file(entry.path())),
+        }
+    }
+    let _ = fs::remove_dir(folder);
 }
 
 /// The lock of another process's folder, for its child.
@@ -64,7 +94,7 @@ fn remove_stale(all: &Path) {
         let process = process.and_then(|(process, _)| process.parse().ok());
         // A folder that is just being made has no lock yet, but its process lives.
         if process.is_some_and(|process| !is_alive(process)) && is_left(&entry.path()) {
-            let _ = fs::remove_dir_all(entry.path());
+            remove(&entry.path());
         }
     }
 }

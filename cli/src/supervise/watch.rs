@@ -42,7 +42,11 @@ impl Watch<'_> {
     ///
     /// # Errors
     /// When the system does not tell.
-    pub fn until_end(&self, child: &mut Child, signals: &Signals) -> io::Result<(ExitStatus, Ended)> {
+    pub fn until_end(
+        &self,
+        child: &mut Child,
+        signals: &Signals,
+    ) -> io::Result<(ExitStatus, Ended)> {
         let mut stopwatch = Stopwatch::default();
         let mut first: Option<i32> = None;
         let mut looked = Instant::now();
@@ -68,7 +72,8 @@ impl Watch<'_> {
             if let Some(overdue) = overdue {
                 return end(child, Ended::Overdue(overdue));
             }
-            if let Some(signal) = first.or(self.page.stop()).filter(|_| stopwatch.longest() > GRACE) {
+            if let Some(signal) = first.or(self.page.stop()).filter(|_| stopwatch.longest() > GRACE)
+            {
                 return end(child, Ended::Stuck(signal));
             }
         }
@@ -105,13 +110,14 @@ impl Signals {
     /// When the system refuses.
     #[cfg(unix)]
     pub fn new() -> io::Result<Self> {
-        use signal_hook::consts::SIGCHLD;
+        use signal_hook::consts::{SIGCHLD, SIGXFSZ};
 
         let (sender, receiver) = channel();
-        let wanted: Vec<i32> = ending().chain([SIGCHLD]).collect();
+        // A file that may not grow is an error of the one who writes it.
+        let wanted: Vec<i32> = ending().chain([SIGCHLD, SIGXFSZ]).collect();
         let mut signals = signal_hook::iterator::Signals::new(wanted)?;
         std::thread::Builder::new().name("signals".to_owned()).spawn(move || {
-            for signal in signals.forever() {
+            for signal in signals.forever().filter(|&signal| signal != SIGXFSZ) {
                 if sender.send(signal).is_err() {
                     return;
                 }

@@ -31,7 +31,11 @@ pub struct Description {
 ///
 /// # Errors
 /// When the binary cannot be loaded, is not one of Hotfoot's, or refuses the resources.
-pub fn describe(binary: &Path, subject: &str, resources: &Path) -> Result<Description, ImportError> {
+pub fn describe(
+    binary: &Path,
+    subject: &str,
+    resources: &Path,
+) -> Result<Description, ImportError> {
     let file = binary.display().to_string();
     let not_ours = |source| ImportError::Binary {
         file: file.clone(),

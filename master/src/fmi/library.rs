@@ -27,9 +27,11 @@ impl LoadedLibrary {
     /// When the system cannot load it.
     pub fn load(binary: &Path, subject: &str) -> Result<Self, Error> {
         let label = label(subject);
+        // A bare name would be looked for among the system's libraries.
+        let path = std::path::absolute(binary).unwrap_or_else(|_| binary.to_owned());
         // SAFETY: loading runs the binary's initialisers; to run a foreign binary is what importing an
         // FMU means, and the user has chosen the file.
-        let library = calling(label, LOADING, || unsafe { Library::new(binary) })?;
+        let library = calling(label, LOADING, || unsafe { Library::new(&path) })?;
         Ok(Self { library: Some(library), label })
     }
 

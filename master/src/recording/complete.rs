@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use arrow_array::RecordBatch;
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
-use arrow_array::RecordBatch;
 use arrow_schema::SchemaRef;
 use arrow_select::concat::concat_batches;
 
@@ -32,11 +32,11 @@ pub struct Recorded {
 /// is in all of them, and then all is left as it is.
 ///
 /// A record that the end of the program has cut short, in a table or between two tables, is left out. The
-/// table of the rails may go on after the others if `rails_go_on`, as it does after the run of a train.
+/// table of the rails may go on after the others if `rails_continue`, as it does after the run of a train.
 ///
 /// # Errors
 /// When a file cannot be read or written; what is not completed then stays as it is.
-pub fn complete(folder: &Path, rails_go_on: bool) -> Result<Option<Recorded>, RecordingError> {
+pub fn complete(folder: &Path, rails_continue: bool) -> Result<Option<Recorded>, RecordingError> {
     let mut tables = vec![];
     for name in names(folder)? {
         tables.extend(Some(Table::read(folder, name)?));
@@ -45,7 +45,7 @@ pub fn complete(folder: &Path, rails_go_on: bool) -> Result<Option<Recorded>, Re
     let Some(first) = of_run.as_ref().and_then(|times| times.first()) else { return Ok(None) };
     let ends = of_run.iter().flatten().map(|times| times.end);
     let end = ends.fold(f64::INFINITY, f64::min);
-    let is_after_run = |table: &Table| rails_go_on && table.name == RAIL_TABLE;
+    let is_after_run = |table: &Table| rails_continue && table.name == RAIL_TABLE;
     let others = tables.iter().filter(|table| !is_after_run(table));
     // Where a record was cut short, the rails have not gone on alone.
     let is_even = others.flat_map(|table| table.recorded).all(|times| times.end == end);
@@ -119,9 +119,8 @@ impl Table {
             };
             let open = self.open.iter().flat_map(|(_, rows)| in_pieces(rows)).map(Ok);
             let rows = rows_of(&self.files).chain(open).map(|rows| Ok(rows_until(&rows?, until)));
-            let rows = rows.filter(|rows| {
-                !rows.as_ref().is_ok_and(|rows: &RecordBatch| rows.num_rows() == 0)
-            });
+            let rows = rows
+                .filter(|rows| !rows.as_ref().is_ok_and(|rows: &RecordBatch| rows.num_rows() == 0));
             write_file(&self.joined, &schema, rows)?;
         }
         remove_folder(&self.parts)

@@ -41,6 +41,9 @@ pub use writer::SeriesWriter;
 /// Name of the first column of every table.
 pub const TIME: &str = "time";
 
+/// Name of the table of the train.
+pub const TRAIN_TABLE: &str = "train";
+
 /// Name of the table of the rails.
 pub const RAIL_TABLE: &str = "rail";
 

@@ -7,8 +7,8 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::output_table::table_name;
 use super::folder::contents::MANIFEST;
+use super::output_table::table_name;
 use crate::files::file_error::{FileError, read_toml, write_whole};
 use crate::report::{ComponentFacts, MainFigure, RunFacts, SystemFacts};
 use crate::system::step::System;

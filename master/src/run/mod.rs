@@ -160,6 +160,8 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     let mut recorder = setup.recorder(&results.join("series"))?;
     let live = setup.live_figures();
     setup.describe()?;
+    // From now on a run that is killed can be reported.
+    setup.manifest.write(results)?;
     // The observed outputs as they are at the start.
     parallel::for_each(&mut setup.system.parts, |part| part.outputs.get(part.unit.as_mut()))
         .map_err(crate::system::start::StartError::from)?;

@@ -70,7 +70,10 @@ impl Record {
         let is_unknown_thread = thread == UNKNOWN_THREAD;
         Some(Culprit {
             by,
-            caller: (!is_unknown_thread).then(|| thread.checked_sub(1)).flatten().map(|n| n as usize),
+            caller: (!is_unknown_thread)
+                .then(|| thread.checked_sub(1))
+                .flatten()
+                .map(|n| n as usize),
             is_unknown_thread,
             library: (!path.is_empty()).then(|| String::from_utf8_lossy(&path).as_ref().into()),
         })

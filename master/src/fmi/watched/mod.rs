@@ -1,5 +1,6 @@
-//! What a run does just now, where a parent process sees it: so the parent can end a call that takes too
-//! long, and say after any end who was at fault.
+//! What a run does just now, where a parent process sees it.
+//!
+//! So the parent can end a call that takes too long, and say after any end who was at fault.
 //!
 //! | file | part |
 //! |---|---|

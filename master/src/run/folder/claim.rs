@@ -186,7 +186,6 @@ impl Claim {
         // A folder in which something else has come stays.
         let _ = self.made.iter().try_for_each(fs::remove_dir);
     }
-
 }
 
 /// Whether a run has claimed a folder.
@@ -212,7 +211,9 @@ pub fn release(folder: &Path) {
     let _ = fs::remove_file(folder.join(CLAIM));
 }
 
-/// Removes the claim on a folder, and all that its run has written: a claimed folder had nothing of that.
+/// Removes the claim on a folder, and all that its run has written.
+///
+/// Nothing of that was there when the folder was claimed.
 pub fn abandon(folder: &Path) {
     let _ = remove(folder);
     release(folder);

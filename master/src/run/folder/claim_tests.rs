@@ -56,7 +56,8 @@ fn results_are_replaced_on_request_only_and_other_files_never() {
     let claim = Claim::of(folder, true).unwrap();
     assert!(!folder.join("series").exists() && !folder.join("manifest.toml").exists());
     claim.undo();
-    let left: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    let left: Vec<_> =
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     assert_eq!(left, ["notes.txt"]);
 }
 

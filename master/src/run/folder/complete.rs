@@ -4,11 +4,12 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
+use arrow_schema::Field;
 use field::{FieldError, is_rail_field};
 
 use crate::files::file_error::FileError;
-use crate::recording::{self, Recorded, RecordingError};
-use crate::report::{self, ReportError};
+use crate::recording::{self, Recorded, RecordingError, SeriesReader, TRAIN_TABLE};
+use crate::report::{self, EnergyLine, ReportError};
 use crate::run::manifest::{Ended, Manifest};
 
 /// Why results cannot be completed.
@@ -38,6 +39,9 @@ pub fn complete(folder: &Path, ended: Ended) -> Result<Option<Recorded>, Complet
     let mut manifest = Manifest::read(folder)?;
     let Some(recorded) = series(folder, manifest.run.is_some())? else { return Ok(None) };
     fields(folder)?;
+    if let Some(run) = manifest.run.as_mut().filter(|run| run.energy.is_empty()) {
+        run.energy = energies(folder)?;
+    }
     if !manifest.has_ended() {
         manifest.end(recorded.end - recorded.begin, ended);
         manifest.write(folder)?;
@@ -69,6 +73,17 @@ pub(in crate::run) fn series(
         true => recording::complete(&series, is_train),
         false => Ok(None),
     }
+}
+
+/// The energies of the train at its last record.
+fn energies(folder: &Path) -> Result<Vec<EnergyLine>, RecordingError> {
+    let train = SeriesReader::open(&folder.join("series"), TRAIN_TABLE)?;
+    let is_energy = |column: &&Field| column.metadata().get("unit").is_some_and(|unit| unit == "J");
+    let line = |column: &Field| {
+        let joules = train.read(column.name(), &[])?.last().copied().unwrap_or(f64::NAN);
+        Ok(EnergyLine { name: column.name().clone(), joules })
+    };
+    train.columns().filter(is_energy).map(line).collect()
 }
 
 /// Completes the fields of the rails.
