@@ -52,6 +52,8 @@ enum Task {
         #[arg(long)]
         write_expected: bool,
     },
+    /// Compare the package of every shipped scenario with the scenario's run (a quarter of an hour)
+    Packages,
     /// Count the instructions of a vehicle's step by its parts (needs valgrind)
     Instructions,
     /// Kill runs at many moments, and see that no whole record is lost
@@ -86,6 +88,10 @@ fn main() -> Result<()> {
             }
             print!("{}", foot_study::table(&results)?);
             Ok(())
+        }
+        Task::Packages => {
+            fmus::build()?;
+            test::packages()
         }
         Task::Instructions => {
             print!("{}", instructions::table()?);
