@@ -62,11 +62,15 @@ fn lock(folder: &Path) -> std::io::Result<File> {
 
 /// Removes a folder with all that is in it, with one open file at a time: also where there are no more.
 pub fn remove(folder: &Path) {
-    let entries: Vec<_> = fs::read_dir(folder).into_iter().flatten().flatten().collect();
-    for entry in entries {
-        match entry.file_type() {
-            Ok(kind) if kind.is_dir() => remove(&entry.path()),
-            _ => drop(fs::remove_file(entry.path())),
+    // An entry keeps its folder open, a path does not.
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let paths: Vec<_> = entries
+        .map(|entry| (entry.path(), entry.file_type().is_ok_and(|kind| kind.is_dir())))
+        .collect();
+    for (path, is_folder) in paths {
+        match is_folder {
+            true => remove(&path),
+            false => drop(fs::remove_file(path)),
         }
     }
     let _ = fs::remove_dir(folder);
