@@ -5,6 +5,7 @@
 //! | `command_line.rs` | answers to wrong input |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `documents.rs` | what README, licences and vocabulary say |
+//! | `ends.rs`, `ends/` | every end of a run |
 //! | `error_messages.rs` | each sentence of an error comes once |
 //! | `examples.rs` | the examples |
 //! | `facts.rs` | what the manifest states against what the units have |
@@ -32,6 +33,7 @@
 mod command_line;
 mod determinism;
 mod documents;
+mod ends;
 mod error_messages;
 mod examples;
 mod facts;

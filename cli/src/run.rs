@@ -2,14 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, anyhow, bail};
+use anyhow::{Result, anyhow};
 use clap::{Args, ValueEnum};
-use hotfoot::recording;
-use hotfoot::run::{self, Options, workplace};
+use hotfoot::run::folder::claim::Claim;
+use hotfoot::run::folder::complete::complete;
+use hotfoot::run::manifest::{self, Ended};
+use hotfoot::run::{self, Options};
 use hotfoot::scenario::Times;
 use tools::number::{count, positive};
 
-use crate::supervise;
+use crate::output::{self, tell};
+use crate::supervise::child::{self, Child};
+use crate::supervise::limits::Limits;
+use crate::supervise::{self, Blame, End, exit_code};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
@@ -22,6 +27,9 @@ pub struct RunArguments {
     /// Folder of the results; left out: a new one in `results`
     #[arg(long, short, alias = "output", short_alias = 'o')]
     results: Option<PathBuf>,
+    /// Replace the results of an earlier run in that folder
+    #[arg(long)]
+    overwrite: bool,
     /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
     #[arg(long)]
     fmus: Option<PathBuf>,
@@ -47,6 +55,8 @@ pub struct RunArguments {
     /// Show no progress
     #[arg(long)]
     quiet: bool,
+    #[command(flatten)]
+    limits: Limits,
 }
 
 /// What becomes of values that cannot be.
@@ -71,39 +81,82 @@ impl From<Checks> for hotfoot::Checks {
 }
 
 /// Runs a scenario in a child process, tells where the results are, and the main figures.
+/// Gives the exit code.
 ///
 /// # Errors
-/// When the scenario is wrong, a unit fails or crashes.
-pub fn run(arguments: &RunArguments) -> Result<()> {
-    if let Some(results) = arguments.results.as_ref().filter(|results| results.is_file()) {
-        bail!("--results {}: is a file, where a folder is needed", results.display());
+/// When the scenario is wrong, or a unit fails or crashes.
+pub fn run(arguments: &RunArguments) -> Result<u8> {
+    match child::own() {
+        Some(child) => run_here(arguments, child),
+        None => run_in_child(arguments),
     }
-    if supervise::is_child() {
-        return run_here(arguments);
-    }
-    let results =
-        arguments.results.clone().unwrap_or_else(|| workplace::new_results(&arguments.scenario));
-    let further = match arguments.results {
-        Some(_) => vec![],
-        None => vec!["--results".into(), results.clone().into_os_string()],
-    };
-    supervise::in_child(&further, || {
-        let series = results.join("series");
-        if !series.exists() {
-            bail!("an FMU has crashed the run before anything was recorded");
-        }
-        recording::complete(&series)?;
-        Err(anyhow!(
-            "an FMU has crashed the run; the results until then are in {}",
-            results.display()
-        ))
-    })
 }
 
-fn run_here(arguments: &RunArguments) -> Result<()> {
+fn run_in_child(arguments: &RunArguments) -> Result<u8> {
+    let claim = match &arguments.results {
+        Some(folder) => Claim::of(folder, arguments.overwrite)?,
+        None => Claim::of_new(&arguments.scenario)?,
+    };
+    match supervise::in_child(&arguments.limits, Some(claim.folder())) {
+        Ok(End { finished: Some(code), blame, records }) => {
+            // A start that has failed leaves nothing.
+            if records > 0 {
+                claim.release()
+            } else {
+                claim.undo()
+            }
+            blame.iter().for_each(Blame::warn);
+            Ok(code)
+        }
+        Ok(End { finished: None, blame, records }) => {
+            complete_results(claim, &blame.unwrap_or_default(), records)
+        }
+        Err(error) => {
+            claim.undo();
+            Err(error)
+        }
+    }
+}
+
+/// Completes what a child has left that has not done so itself, and tells why.
+fn complete_results(claim: Claim, blame: &Blame, records: u64) -> Result<u8> {
+    let Blame { sentence, interrupted, at_once } = blame;
+    let folder = claim.folder().display().to_string();
+    let answer = |sentence: String| match interrupted {
+        Some(signal) => {
+            tell(sentence);
+            Ok(exit_code(*signal))
+        }
+        None => Err(anyhow!(sentence)),
+    };
+    if *at_once && records > 0 {
+        return answer(format!("{sentence}; `hotfoot report {folder}` completes its results"));
+    }
+    let end =
+        if interrupted.is_some() { manifest::End::Interrupted } else { manifest::End::Failed };
+    let completed = match records {
+        0 => Ok(None),
+        _ => complete(claim.folder(), Ended::because(end, sentence)),
+    };
+    match completed {
+        Ok(Some(_)) => {
+            claim.release();
+            answer(format!("{sentence}; the results until then are in {folder}"))
+        }
+        Ok(None) => {
+            claim.undo();
+            answer(format!("{sentence}; nothing was recorded before"))
+        }
+        Err(error) => answer(format!(
+            "{sentence}; the results until then are in {folder}, but they could not be completed, which \
+             `hotfoot report {folder}` tries again: {error}"
+        )),
+    }
+}
+
+fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
     let options = Options {
         threads: arguments.threads,
-        results: arguments.results.clone(),
         fmus: arguments.fmus.clone().unwrap_or_else(default_fmus),
         times: Times {
             duration: arguments.duration,
@@ -115,8 +168,17 @@ fn run_here(arguments: &RunArguments) -> Result<()> {
         same_thread: arguments.same_thread,
         quiet: arguments.quiet,
     };
-    println!("{}", run::run(&arguments.scenario, &options)?);
-    Ok(())
+    let results = child.results().ok_or_else(|| anyhow!("the parent has given no folder"))?;
+    let finished = run::run(&arguments.scenario, results, &options)?;
+    let mut code = 0;
+    if let Some(stopped) = finished.stopped() {
+        tell(format_args!("{stopped}; the results until then are in {}", results.display()));
+        code = exit_code(stopped.signal);
+    }
+    output::print(&finished)?;
+    // All is done; what the FMUs do when they are freed can only be a reason for a warning.
+    child.finish(code);
+    Ok(code)
 }
 
 /// `fmus` beside the folder of the program: `target/fmus` for `target/release/hotfoot`.

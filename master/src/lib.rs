@@ -30,7 +30,7 @@ mod system;
 mod train;
 
 pub use files::{archive, xml_text};
-pub use fmi::{FmuInstance, Import, pack, watch_crashes};
+pub use fmi::{FmuInstance, Import, UNLOADING, note_unloading, pack, watched};
 pub use interface::Interface;
 pub use run::error::RunError;
 pub use run::{Finished, Options, run};

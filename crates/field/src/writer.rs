@@ -133,7 +133,7 @@ fn make_room(path: &Path) -> Result<(), FieldError> {
 }
 
 /// Whether the group at `path` says that it is a rail field.
-pub(crate) fn is_rail_field(path: &Path) -> bool {
+pub fn is_rail_field(path: &Path) -> bool {
     let metadata = fs::read_to_string(path.join("zarr.json"))
         .ok()
         .and_then(|text| serde_json::from_str::<Value>(&text).ok());

@@ -60,7 +60,7 @@ fn binary(fmu: &Path, folder: &Path, interface: &Interface) -> Vec<Finding> {
     if !file.exists() {
         return vec![missing_binary(folder, location)];
     }
-    match fmi::missing_functions(&file) {
+    match fmi::missing_functions(&file, &fmu.display().to_string()) {
         Err(source) => {
             let sentence = format!("the binary cannot be loaded: {}", fmi::reason(&source));
             vec![error("binary-can-be-loaded", location, sentence)]

@@ -1,10 +1,10 @@
 //! The C functions of an FMI 2.0 co-simulation FMU (FMI 2.0 §2.1, §4.2).
 
 use std::error::Error;
-use std::ffi::{c_char, c_double, c_int, c_uint, c_void};
+use std::ffi::{CStr, c_char, c_double, c_int, c_uint, c_void};
 use std::path::Path;
 
-use libloading::Library;
+use super::library::LoadedLibrary;
 
 /// `fmi2Component`.
 pub type Component = *mut c_void;
@@ -50,33 +50,26 @@ pub struct Callbacks {
     pub environment: *mut c_void,
 }
 
-/// Loads a library, which stays loaded as long as the process: threads that it has started, and what it
-/// has left with the system for the end, outlive its instances.
-fn library(binary: &Path) -> Result<&'static Library, libloading::Error> {
-    // SAFETY: loading runs the binary's initialisers; to run a foreign binary is what importing an FMU
-    // means, and the user has chosen the file.
-    let library = unsafe { Library::new(binary)? };
-    Ok(Box::leak(Box::new(library)))
-}
-
 /// Loads each function by its name; a missing one is reported by that name.
 macro_rules! functions {
     ($($(#[$doc:meta])* $field:ident = $name:literal : fn($($argument:ty),*) -> $result:ty;)*) => {
         /// The functions of a binary that the master calls; all 34 must be there (§2.3).
         pub struct Functions {
             $($(#[$doc])* pub $field: unsafe extern "C" fn($($argument),*) -> $result,)*
+            /// Keeps the functions valid.
+            library: LoadedLibrary,
         }
 
         impl Functions {
-            /// Loads a binary.
+            /// Loads a binary of the FMU that messages call `subject`.
             ///
             /// # Errors
             /// When the binary cannot be loaded or lacks a function.
-            pub fn load(binary: &Path) -> Result<Self, libloading::Error> {
-                let library = library(binary)?;
+            pub fn load(binary: &Path, subject: &str) -> Result<Self, libloading::Error> {
+                let library = LoadedLibrary::load(binary, subject)?;
                 $(
                     // SAFETY: FMI 2.0 fixes the type of the function of that name.
-                    let $field = *unsafe {
+                    let $field = unsafe {
                         library.get::<unsafe extern "C" fn($($argument),*) -> $result>($name)?
                     };
                 )*
@@ -84,7 +77,24 @@ macro_rules! functions {
                     // SAFETY: the symbol is only looked up, never called.
                     unsafe { library.get::<unsafe extern "C" fn()>(*name)? };
                 }
-                Ok(Self { $($field,)* })
+                Ok(Self { $($field,)* library })
+            }
+
+            /// What `fmi2GetVersion` and `fmi2GetTypesPlatform` answer.
+            pub fn version_and_platform(&self) -> (String, String) {
+                let text = |name: &CStr, function: unsafe extern "C" fn() -> *const c_char| {
+                    // SAFETY: the functions take nothing and may be called at any time.
+                    let pointer = self.library.calling(name, || unsafe { function() });
+                    match pointer.is_null() {
+                        true => String::new(),
+                        // SAFETY: they give texts that live as long as the binary is loaded.
+                        false => unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned(),
+                    }
+                };
+                (
+                    text(c"fmi2GetVersion", self.get_version),
+                    text(c"fmi2GetTypesPlatform", self.get_types_platform),
+                )
             }
         }
 
@@ -158,12 +168,12 @@ const ALSO_REQUIRED: &[&[u8]] = &[
     b"fmi2GetStringStatus",
 ];
 
-/// The functions that a binary lacks of the 34 that every FMU must have.
+/// The functions that a binary of the FMU `subject` lacks of the 34 that every FMU must have.
 ///
 /// # Errors
 /// When the binary cannot be loaded.
-pub fn missing_functions(binary: &Path) -> Result<Vec<String>, libloading::Error> {
-    let library = library(binary)?;
+pub fn missing_functions(binary: &Path, subject: &str) -> Result<Vec<String>, libloading::Error> {
+    let library = LoadedLibrary::load(binary, subject)?;
     // SAFETY: the symbol is only looked up, never called.
     let lacks = |name: &[u8]| unsafe { library.get::<unsafe extern "C" fn()>(name) }.is_err();
     let names = CALLED.iter().chain(ALSO_REQUIRED).filter(|name| lacks(name));

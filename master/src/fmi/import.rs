@@ -1,6 +1,5 @@
 //! An FMU file: unpacked and loaded once, instantiated as often as needed.
 
-use std::ffi::{CStr, c_char};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -138,7 +137,7 @@ impl Import {
             return Err(ImportError::NoBinary { file, binary, has });
         }
         let before = Environment::now();
-        let functions = Functions::load(&full);
+        let functions = Functions::load(&full, &file);
         let change = before.put_back();
         let functions = functions.map_err(|cause| ImportError::Binary {
             file: file.clone(),
@@ -194,15 +193,7 @@ impl Import {
 
     /// What `fmi2GetVersion` and `fmi2GetTypesPlatform` answer.
     pub fn version_and_platform(&self) -> (String, String) {
-        let text = |pointer: *const c_char| match pointer.is_null() {
-            true => String::new(),
-            // SAFETY: both functions give texts that live as long as the binary is loaded.
-            false => unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned(),
-        };
-        // SAFETY: the functions take nothing and may be called at any time.
-        unsafe {
-            (text((self.functions.get_version)()), text((self.functions.get_types_platform)()))
-        }
+        self.functions.version_and_platform()
     }
 
     /// A message of the FMU with the files that the user knows.

@@ -9,6 +9,7 @@ use super::guard::arrays::Arrays;
 use super::guard::guarded;
 use super::import::Import;
 use super::messages::Messages;
+use super::watched::{Label, label};
 use crate::interface::VariableType;
 use crate::system::unit::UnitError;
 
@@ -23,8 +24,8 @@ pub(super) struct StateSlot(pub(super) Option<FmuState>);
 pub struct FmuInstance {
     pub(super) import: Arc<Import>,
     pub(super) name: String,
-    /// Name and file, for the message of a crash.
-    label: CString,
+    /// Name and file, for the message of a crash or a call without end.
+    label: Label,
     component: Component,
     /// Relative tolerance that it is told.
     pub(super) tolerance: Option<f64>,
@@ -55,12 +56,12 @@ impl FmuInstance {
         let c_name = CString::new(name).unwrap_or_default();
         let guid = CString::new(import.interface().guid.as_str()).unwrap_or_default();
         let resources = CString::new(import.resource_uri()).unwrap_or_default();
-        let label = format!("{name} ({})", import.file());
-        let messages = Messages::of(&label, import.binary());
+        let subject = format!("{name} ({})", import.file());
+        let messages = Messages::of(&subject, import.binary());
         import.tell_loading(messages);
         let callbacks = callbacks(messages);
-        let label = CString::new(label).unwrap_or_default();
-        let component = guarded(messages, &label, c"fmi2Instantiate", || {
+        let label = label(&subject);
+        let component = guarded(messages, label, c"fmi2Instantiate", || {
             // SAFETY: the strings live during the call, the callbacks as long as the process.
             unsafe {
                 (import.functions.instantiate)(
@@ -134,7 +135,7 @@ impl FmuInstance {
             return Err(self.error(action, None));
         }
         let (functions, component) = (&self.import.functions, self.component);
-        Ok(guarded(self.messages, &self.label, name, || function(functions, component)))
+        Ok(guarded(self.messages, self.label, name, || function(functions, component)))
     }
 
     /// Calls a function of the FMU and turns a bad status into an error; `detail` follows the name
@@ -213,7 +214,7 @@ impl Drop for FmuInstance {
         if !self.component_is_fatal() {
             let (functions, component) = (&self.import.functions, self.component);
             self.messages.free();
-            guarded(self.messages, &self.label, c"fmi2FreeInstance", || {
+            guarded(self.messages, self.label, c"fmi2FreeInstance", || {
                 // SAFETY: the instance is alive and never used again.
                 unsafe { (functions.free_instance)(component) };
             });

@@ -3,8 +3,8 @@
 //! | file | part |
 //! |---|---|
 //! | `binding.rs` | the C functions of an FMU's binary |
-//! | `crash.rs`, `crash.c` | which FMU was at work when the program crashes |
-//! | `callbacks.rs` | the functions that an FMU calls: logger, memory |
+//! | `watched/` | what is called just now, for the parent of the process |
+//! | `library.rs` | the binary, loaded |
 //! | `binaries.rs` | what an unpacked FMU has to be run with |
 //! | `callbacks.rs`, `messages.rs` | the functions that an FMU calls: logger, memory; what it logs |
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
@@ -25,13 +25,13 @@
 mod binaries;
 mod binding;
 mod callbacks;
-mod crash;
 mod describe;
 mod documentation;
 mod guard;
 mod home;
 mod import;
 mod instance;
+mod library;
 mod manner;
 mod messages;
 mod origins;
@@ -39,13 +39,14 @@ pub mod pack;
 mod resource_paths;
 mod step;
 mod unit;
+pub mod watched;
 
 pub use binaries::Binaries;
 pub use binding::{missing_functions, reason};
-pub use crash::watch as watch_crashes;
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;
+pub use library::{UNLOADING, note_unloading};
 pub use manner::{Manner, unit};
 pub use origins::Origins;
 pub use resource_paths::with_resource_paths;

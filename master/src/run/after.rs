@@ -5,6 +5,7 @@ use std::io;
 use super::observe_error::ObserveError;
 use super::progress::Progress;
 use super::recorder::Recorder;
+use super::stop::{Stopped, stopped};
 use crate::system::parallel;
 use crate::system::part::Part;
 use crate::system::step::System;
@@ -99,7 +100,8 @@ impl Rails {
         Ok(())
     }
 
-    /// Takes the rails, which have come to `time`, through what is planned after the run.
+    /// Takes the rails, which have come to `time`, through what is planned after the run, until somebody
+    /// wants it to stop.
     ///
     /// # Errors
     /// When a step fails.
@@ -107,23 +109,30 @@ impl Rails {
         &mut self,
         run: &mut Continued<'_>,
         time: f64,
-    ) -> Result<(), FailedStep> {
+    ) -> Result<Option<Stopped>, FailedStep> {
         for stage in self.traffic.stages(time) {
-            match stage {
+            let stopped = match stage {
                 Stage::Alone { from, length, steps } => {
                     self.each(run, Steps { from, length, steps, per_record: 1 }, |_, part| {
                         part.inputs.reals.values.fill(0.0);
                         Ok(())
-                    })?;
+                    })?
                 }
                 Stage::Train { from } => self.further_train(run, from)?,
+            };
+            if stopped.is_some() {
+                return Ok(stopped);
             }
         }
-        Ok(())
+        Ok(None)
     }
 
     /// A train does again what is on the tapes.
-    fn further_train(&mut self, run: &mut Continued<'_>, from: f64) -> Result<(), FailedStep> {
+    fn further_train(
+        &mut self,
+        run: &mut Continued<'_>,
+        from: f64,
+    ) -> Result<Option<Stopped>, FailedStep> {
         let mut steps = 0;
         for Rail { name, tape, .. } in &mut self.rails {
             let rewound = tape.as_mut().map_or(Ok(0), Tape::rewind);
@@ -149,10 +158,13 @@ impl Rails {
         run: &mut Continued<'_>,
         steps: Steps,
         load: fn(&mut Rail, &mut Part) -> Result<(), UnitError>,
-    ) -> Result<(), FailedStep> {
+    ) -> Result<Option<Stopped>, FailedStep> {
         let Steps { from, length, steps, per_record } = steps;
         for j in 0..steps {
             let time = from + j as f64 * length;
+            if let Some(stopped) = stopped(j, time) {
+                return Ok(Some(stopped));
+            }
             let failed = |source| FailedStep { time, source };
             self.step(run.system, time, length, load).map_err(|error| failed(error.into()))?;
             if (j + 1).is_multiple_of(per_record) || j + 1 == steps {
@@ -162,7 +174,7 @@ impl Rails {
                 run.progress.show_rails(end);
             }
         }
-        Ok(())
+        Ok(None)
     }
 
     fn step(

@@ -46,15 +46,12 @@ pub enum RunError {
     #[error(transparent)]
     Start(#[from] StartError),
     /// A unit failed while running; what was recorded before is kept.
-    #[error(
-        "at {time} s: {source}; the results until then are in {results}, and `hotfoot report {results}` \
-         makes their report"
-    )]
+    #[error("at {time} s: {source}; the results until then are in {results}")]
     Step {
         /// Time at which the step began, s.
         time: f64,
         /// Reason.
-        source: UnitError,
+        source: Box<StepFailure>,
         /// Folder of the results.
         results: String,
     },
@@ -81,12 +78,7 @@ impl RunError {
     /// A step that failed, in a run whose results are in this folder.
     pub(crate) fn step(failed: FailedStep, results: &Path) -> Self {
         let FailedStep { time, source } = failed;
-        match source {
-            StepFailure::Unit(source) => {
-                Self::Step { time, source, results: results.display().to_string() }
-            }
-            StepFailure::Observe(source) => source.into(),
-        }
+        Self::Step { time, source: source.into(), results: results.display().to_string() }
     }
 
     /// Refuses a time that is not greater than zero.

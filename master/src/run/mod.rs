@@ -9,17 +9,20 @@
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
 //! | `expected.rs` | the figures of a run against those expected |
 //! | `progress.rs`, `live.rs` | the progress bar |
+//! | `stop.rs` | whether the run is to stop before its end |
 //! | `export.rs`, `sources.rs` | a scenario's train as a package |
 //! | `wiring.rs` | what would be run, without running it |
-//! | `workplace.rs`, `error.rs` | threads and the folder of a run, and why it failed |
+//! | `folder/` | the folder of a run: claimed, and completed after any end |
+//! | `workplace.rs`, `error.rs` | threads and name of a run, and why it failed |
 
 mod after;
 pub mod error;
 pub mod expected;
 mod export;
 mod finished;
+pub mod folder;
 mod live;
-mod manifest;
+pub mod manifest;
 mod observe_error;
 mod options;
 mod output_table;
@@ -32,11 +35,12 @@ mod setup;
 mod source;
 mod sources;
 mod step_table;
+mod stop;
 mod train_tables;
 mod wiring;
 pub mod workplace;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use after::{Continued, FailedStep, StepFailure};
@@ -45,31 +49,33 @@ pub use export::{Exported, export};
 use finished::Done;
 pub use finished::Finished;
 use live::LiveFigures;
+use manifest::{End, Ended, Manifest};
 pub use options::Options;
 use progress::Progress;
 use recorder::Recorder;
 use setup::Setup;
+use stop::{Early, stopped};
+pub use stop::{PARENT_GONE, Stopped, signal_name};
 pub use wiring::wiring;
 use workplace::Workplace;
 
 use crate::report::{self, MainFigure};
 use crate::system::parallel;
-use crate::system::step::WishToEnd;
 use crate::system::times::Stopwatch;
 use crate::system::unit::terminate;
 use crate::train::fmus::Folders;
 
-/// Runs a scenario, the system in a package, or a single FMU.
+/// Runs a scenario, the system in a package, or a single FMU; the results go into the folder `results`,
+/// an absolute path, which the caller has claimed for it.
 ///
 /// # Errors
-/// When the scenario or package is wrong or a unit fails.
-pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
-    let open = |file: &Path| Workplace::open(options.threads, options.results.as_deref(), file);
+/// When the scenario or package is wrong or a unit fails; what was recorded is complete.
+pub fn run(path: &Path, results: &Path, options: &Options) -> Result<Finished, RunError> {
     if source::is_system(path) {
-        let workplace = open(path)?;
+        let workplace = Workplace::open(options.threads)?;
         return workplace.pool.install(|| {
-            let setup = package::setup(path, options, &workplace)?;
-            in_workplace(setup, &workplace, options.quiet)
+            let setup = package::setup(path, results, options, workplace.threads)?;
+            in_workplace(setup, &workplace, results, options.quiet)
         });
     }
     let (mut scenario, file, text) = crate::scenario::load(path)?;
@@ -80,38 +86,58 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     scenario.fmus.tolerance = options.tolerance.or(scenario.fmus.tolerance);
     scenario.checks = options.checks.or(scenario.checks);
     scenario.fmus.same_thread |= options.same_thread;
-    let workplace = open(&file)?;
-    let folders = Folders { fmus: options.fmus.clone(), results: workplace.results.clone() };
+    let workplace = Workplace::open(options.threads)?;
+    let folders = Folders { fmus: options.fmus.clone(), results: results.to_owned() };
     // With one thread all that an FMU sees, from loading to freeing, happens on it.
     workplace.pool.install(|| {
         let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
-        in_workplace(setup, &workplace, options.quiet)
+        in_workplace(setup, &workplace, results, options.quiet)
     })
 }
 
-/// Runs what is set up, on the threads of the workplace, and writes its report.
+/// Runs what is set up, on the threads of the workplace, and writes its report, also of a run that has
+/// failed.
 fn in_workplace(
     mut setup: Setup,
     workplace: &Workplace,
+    results: &Path,
     quiet: bool,
 ) -> Result<Finished, RunError> {
-    let Workplace { threads, results, .. } = workplace;
-    let done = perform(&mut setup, results, quiet)?;
-    let (report, figures) = report::write(results)?;
+    let outcome = perform(&mut setup, results, quiet);
+    let done = match outcome {
+        Ok(done) => done,
+        Err(error) => {
+            // What was recorded has a report nevertheless.
+            if setup.recorded {
+                let _ = write_report(&mut setup.manifest, results);
+            }
+            return Err(error);
+        }
+    };
+    let (report, figures) = write_report(&mut setup.manifest, results)?;
     let stages = setup.stages_with_units();
-    let Setup { system, mut manifest, .. } = setup;
-    manifest.figure.clone_from(&figures);
-    manifest.write(results)?;
+    let Setup { system, manifest, .. } = setup;
     Ok(Finished {
         name: manifest.system.map(|system| system.name),
         figures: figures.into_iter().filter(MainFigure::is_shown).collect(),
         report,
         done,
-        times: system.times,
         stages,
-        threads: *threads,
+        threads: workplace.threads,
         warnings: manifest.warnings,
+        system,
     })
+}
+
+/// Writes the report, and its figures into the manifest.
+fn write_report(
+    manifest: &mut Manifest,
+    results: &Path,
+) -> Result<(PathBuf, Vec<MainFigure>), RunError> {
+    let (report, figures) = report::write(results)?;
+    manifest.figure.clone_from(&figures);
+    manifest.write(results)?;
+    Ok((report, figures))
 }
 
 /// Initialises, steps and records; whatever happens, what was computed is completed on disk.
@@ -126,10 +152,13 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     let mut recorder = setup.recorder(&results.join("series"))?;
     let live = setup.live_figures();
     setup.describe()?;
+    // From now on a run that is killed can be reported.
+    setup.manifest.write(results)?;
     // The observed outputs as they are at the start.
     parallel::for_each(&mut setup.system.parts, |part| part.take_outputs(clock.start))
         .map_err(crate::system::start::StartError::from)?;
     recorder.observe(0, &mut setup.system)?;
+    setup.recorded = true;
 
     let mut progress = Progress::new(steps, stop, quiet);
     let notes = setup.manifest.run.iter().flat_map(|run| &run.notes);
@@ -137,17 +166,14 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     let begin = Instant::now();
     let mut stepping =
         Stepping { setup, recorder: &mut recorder, progress: &mut progress, live: &live };
-    let outcome = stepping.run(steps);
+    let mut outcome = stepping.run(steps);
     let wall = begin.elapsed();
-    let outcome = outcome.and_then(|end| {
-        if let Some(end) = end {
-            return Ok(Some(end));
-        }
+    if matches!(outcome, Ok(None)) {
         let Setup { system, rails, .. } = &mut *setup;
         let mut run = Continued { system, recorder: &mut recorder, progress: &mut progress };
-        rails.continue_after_run(&mut run, rails_run)?;
-        Ok(None)
-    });
+        outcome =
+            rails.continue_after_run(&mut run, rails_run).map(|stop| stop.map(Early::Stopped));
+    }
     setup.system.times.after = begin.elapsed() - wall;
     progress.finish();
 
@@ -155,26 +181,52 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     if let Some(run) = &mut manifest.run {
         run.energy = recorder.energy("train");
     }
-    recorder.finish()?;
-    let end = terminate(system.units_mut());
+    // A record that has failed is in some of the tables only.
+    let recorded = match &outcome {
+        Ok(_) => recorder.finish().map_err(RunError::from),
+        Err(_) => {
+            drop(recorder);
+            let completed = folder::complete::series(results, manifest.run.is_some());
+            completed.map(|_| ()).map_err(|error| RunError::Observe(error.into()))
+        }
+    };
+    let end = terminate(system.units_mut()).map_err(RunError::End);
     manifest.warnings.extend(system.take_warnings());
-    if let Ok(Some(WishToEnd { of, time, .. })) = &outcome {
-        manifest.warnings.push(format!("the run ended at {time} s, because {of} wanted it to end"));
+    if let Ok(Some(wish @ Early::Wished(_))) = &outcome {
+        manifest.warnings.push(wish.to_string());
     }
     if let Some(run) = &mut manifest.run {
         run.warnings.clone_from(&manifest.warnings);
     }
-    let (reached, rails_end) = match &outcome {
-        Ok(None) => (rails_end, rails_end),
-        Ok(Some(end)) => (end.time, end.time),
-        Err(failed) => (failed.time, rails_end),
+    let reached = match &outcome {
+        Ok(None) => rails_end,
+        Ok(Some(early)) => early.time(),
+        Err(failed) => failed.time,
     };
     let simulated = reached.min(clock.at(steps)) - clock.start;
-    manifest.finish(simulated, wall, system, stages);
-    manifest.write(results)?;
-    outcome.map_err(|failed| RunError::step(failed, results))?;
-    end.map_err(RunError::End)?;
-    Ok(Done { simulated, rails: rails_end - clock.start, wall, steps })
+    manifest.finish(wall, system, stages);
+    let outcome = outcome.map_err(|failed| RunError::step(failed, results));
+    let outcome = outcome.and_then(|early| recorded.and(end).map(|()| early));
+    manifest.end(simulated, ended(&outcome));
+    let written = manifest.write(results);
+    let stopped = match outcome? {
+        Some(Early::Stopped(stopped)) => Some(stopped),
+        Some(Early::Wished(_)) | None => None,
+    };
+    written?;
+    let rails = reached - clock.start;
+    let steps = ((simulated / clock.length).round() as u64).max(1);
+    Ok(Done { simulated, rails, wall, steps, stopped })
+}
+
+/// How a run has ended, for its manifest.
+fn ended(outcome: &Result<Option<Early>, RunError>) -> Ended {
+    match outcome {
+        Ok(None) => Ended { end: End::Complete, end_reason: None },
+        Ok(Some(wish @ Early::Wished(_))) => Ended::because(End::Complete, wish.to_string()),
+        Ok(Some(stop @ Early::Stopped(_))) => Ended::because(End::Interrupted, stop.to_string()),
+        Err(error) => Ended::because(End::Failed, error.to_string()),
+    }
 }
 
 /// Steps and records.
@@ -186,20 +238,23 @@ struct Stepping<'r> {
 }
 
 impl Stepping<'_> {
-    /// Takes all units through the steps of the run, or until one of them wants it to end.
-    fn run(&mut self, steps: u64) -> Result<Option<WishToEnd>, FailedStep> {
+    /// Takes all units through the steps of the run, until somebody wants it to end.
+    fn run(&mut self, steps: u64) -> Result<Option<Early>, FailedStep> {
         for k in 0..steps {
             let time = self.setup.system.clock.at(k);
             let failed = |source| FailedStep { time, source };
+            if let Some(stopped) = stopped(k, time) {
+                return Ok(Some(Early::Stopped(stopped)));
+            }
             let Err(source) = self.step(k) else { continue };
             let system = &mut self.setup.system;
-            let end = match &source {
+            let wish = match &source {
                 StepFailure::Unit(error) => system.wish_to_end(error),
                 StepFailure::Observe(_) => None,
             };
-            let end = end.ok_or_else(|| failed(source))?;
-            self.recorder.record_end(k, &end, system).map_err(|error| failed(error.into()))?;
-            return Ok(Some(end));
+            let wish = wish.ok_or_else(|| failed(source))?;
+            self.recorder.record_end(k, &wish, system).map_err(|error| failed(error.into()))?;
+            return Ok(Some(Early::Wished(wish)));
         }
         Ok(None)
     }

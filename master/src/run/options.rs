@@ -10,8 +10,6 @@ use crate::system::checks::Checks;
 pub struct Options {
     /// Threads for the units; none: all cores.
     pub threads: Option<usize>,
-    /// Folder of the results; none: a new one in `results`.
-    pub results: Option<PathBuf>,
     /// Folder of Hotfoot's own FMUs.
     pub fmus: PathBuf,
     /// Times instead of the scenario's or the package's.

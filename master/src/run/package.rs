@@ -9,7 +9,6 @@ use super::options::Options;
 use super::output_table::{renamed, same_tables, table_name};
 use super::setup::{Setup, Subject};
 use super::source;
-use super::workplace::Workplace;
 use crate::report::SystemFacts;
 use crate::scenario::Times;
 use crate::ssp::{self, SspError};
@@ -25,7 +24,7 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Sets the system at `path` up, to be run in a workplace.
+/// Sets the system at `path` up, to be run with so many threads in the folder `results`.
 ///
 /// The FMUs of a package stay there, beside the results that they make.
 ///
@@ -33,10 +32,10 @@ const DEFAULT_INTERVAL: f64 = 0.1;
 /// When the package is wrong or does not fit its FMUs.
 pub(crate) fn setup(
     path: &Path,
+    results: &Path,
     options: &Options,
-    workplace: &Workplace,
+    threads: usize,
 ) -> Result<Setup, RunError> {
-    let Workplace { threads, ref results, .. } = *workplace;
     let (folder, mut structure) = source::read(path, &results.join("package"))?;
     for component in &mut structure.components {
         component.schedule.same_thread |= options.same_thread;
@@ -74,7 +73,8 @@ pub(crate) fn setup(
     });
     let stages = stage_names(&structure, &system);
     let (stop, subject) = (clock.at(steps), Subject::Package(every));
-    Ok(Setup { system, stages, steps, stop, subject, rails: Rails::default(), manifest })
+    let rails = Rails::default();
+    Ok(Setup { system, stages, steps, stop, subject, rails, manifest, recorded: false })
 }
 
 /// Says of which components nothing is recorded.

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::observe_error::ObserveError;
 use super::output_table::{OutputTable, table_name};
 use super::step_table::StepTable;
+use crate::fmi::watched;
 use crate::report::EnergyLine;
 use crate::system::step::{System, WishToEnd};
 
@@ -61,7 +62,11 @@ impl Recorder {
         for table in &mut self.outputs {
             table.record(time, system)?;
         }
-        self.record_after(time, system)
+        self.record_after(time, system)?;
+        if let Some(page) = watched::own() {
+            page.note_record();
+        }
+        Ok(())
     }
 
     /// Records the end of a run within the step from point `k`, at which a part wants it.

@@ -31,6 +31,8 @@ pub struct Setup {
     pub rails: Rails,
     /// What made the results.
     pub manifest: Manifest,
+    /// Whether the first record is there.
+    pub recorded: bool,
 }
 
 /// What is run.

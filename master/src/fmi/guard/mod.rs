@@ -10,15 +10,15 @@ pub mod environment;
 
 use std::ffi::CStr;
 
-use super::crash::calling;
 use super::messages::Messages;
+use super::watched::{Label, calling};
 use environment::Environment;
 
 /// Calls `function` of the instance that `label` names and whose messages these are. What the call
 /// changes of how the processor computes is put back and noted.
 pub(super) fn guarded<T>(
     messages: &'static Messages,
-    label: &CStr,
+    label: Label,
     function: &CStr,
     call: impl FnOnce() -> T,
 ) -> T {
