@@ -55,9 +55,18 @@ pub fn library(package: &str) -> PathBuf {
 /// # Panics
 /// When the program has not been built.
 pub fn hotfoot(folder: &Path, arguments: &[&str]) -> Output {
+    hotfoot_with(folder, arguments, &[])
+}
+
+/// The same with variables of the environment.
+///
+/// # Panics
+/// As [`hotfoot`].
+pub fn hotfoot_with(folder: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Output {
     let program = release().join("hotfoot");
     Command::new(&program)
         .args(arguments)
+        .envs(environment.iter().copied())
         .current_dir(folder)
         .output()
         .unwrap_or_else(|e| panic!("{}: {e}: run `cargo xtask fmus` first", program.display()))
@@ -158,7 +167,11 @@ impl SmallScenario {
         self.folder.path().join("results")
     }
 
-    fn write(&self) {
+    /// Writes the files.
+    ///
+    /// # Panics
+    /// When they cannot be written.
+    pub fn write(&self) {
         let files = [
             ("scenario.toml", &self.text),
             ("track.toml", &self.track),
