@@ -182,7 +182,11 @@ impl SmallScenario {
         self.folder.path().join("results")
     }
 
-    fn write(&self) {
+    /// Writes the files.
+    ///
+    /// # Panics
+    /// When they cannot be written.
+    pub fn write(&self) {
         let files = [
             ("scenario.toml", &self.text),
             ("track.toml", &self.track),
