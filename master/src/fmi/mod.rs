@@ -31,6 +31,8 @@ mod guard;
 mod home;
 mod import;
 mod instance;
+#[cfg(target_os = "linux")]
+pub mod isolated;
 mod library;
 mod manner;
 mod messages;

@@ -1,0 +1,3 @@
+//! FMUs in processes of their own.
+
+pub mod mailbox;
