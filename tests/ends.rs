@@ -39,7 +39,7 @@ fn assert_says(text: &str, parts: &[&str]) {
 }
 
 /// Waits until something has happened.
-fn wait_until(what: &str, happened: impl Fn() -> bool) {
+pub fn wait_until(what: &str, happened: impl Fn() -> bool) {
     let begin = Instant::now();
     while !happened() {
         assert!(begin.elapsed() < PATIENCE, "{what}: it has not happened");
@@ -48,7 +48,7 @@ fn wait_until(what: &str, happened: impl Fn() -> bool) {
 }
 
 /// Starts a run and waits until it has recorded something.
-fn start(package: &HostilePackage, further: &[&str]) -> Child {
+pub fn start(package: &HostilePackage, further: &[&str]) -> Child {
     let mut command = package.command(further);
     command.stderr(std::process::Stdio::piped()).stdout(std::process::Stdio::piped());
     let run = command.spawn().expect("the program starts");
@@ -59,14 +59,14 @@ fn start(package: &HostilePackage, further: &[&str]) -> Child {
 }
 
 /// The child of a process, which computes.
-fn child_of(process: u32) -> Option<u32> {
+pub fn child_of(process: u32) -> Option<u32> {
     let children = format!("/proc/{process}/task/{process}/children");
     let children = std::fs::read_to_string(children).unwrap_or_default();
     children.split_whitespace().next().map(|child| child.parse().expect("a number"))
 }
 
 /// Sends a signal to processes.
-fn send(signal: &str, processes: &[u32]) {
+pub fn send(signal: &str, processes: &[u32]) {
     let processes = processes.iter().map(u32::to_string);
     let kill =
         std::process::Command::new("kill").arg(format!("-{signal}")).args(processes).output();
@@ -74,7 +74,7 @@ fn send(signal: &str, processes: &[u32]) {
 }
 
 /// Whether a process computes, waits or is held: what has ended and is not yet taken notice of does not.
-fn is_running(process: u32) -> bool {
+pub fn is_running(process: u32) -> bool {
     let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).unwrap_or_default();
     let state = stat.rsplit_once(") ").map(|(_, rest)| rest.chars().next());
     state.is_some_and(|state| state != Some('Z') && state != Some('X'))

@@ -209,18 +209,6 @@ fn an_fmu_that_cannot_save_its_state_is_not_tried_again() {
     assert!(message.contains("fmi2Discard") && !message.contains("parts"), "{message}");
 }
 
-#[test]
-fn an_fmu_for_one_instance_a_process_is_refused_at_two_places() {
-    let claims =
-        Claims { flags: "canBeInstantiatedOnlyOncePerProcess=\"true\"", ..Claims::default() };
-    let mut scenario = scenario("WELL", &claims);
-    scenario.run_well(&[]);
-    let two = "[{ place = 2, file = \"hostile.fmu\" }, { place = 3, file = \"hostile.fmu\" }]";
-    scenario.text = scenario.text.replace("[{ place = 2, file = \"hostile.fmu\" }]", two);
-    let parts = ["hostile.fmu", "canBeInstantiatedOnlyOncePerProcess", "needs 2"];
-    assert_says(&refusal(&scenario.run(&[])), &parts);
-}
-
 /// An archive whose entry leads out of the folder it is unpacked to.
 #[test]
 fn an_archive_that_writes_outside_is_refused() {

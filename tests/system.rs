@@ -15,6 +15,7 @@
 //! | `force_balance.rs` | forces balance between the models |
 //! | `heat_input.rs` | wrong input of the rail heat |
 //! | `hostile.rs` | FMUs that misbehave in a train |
+//! | `isolated.rs` | FMUs in processes of their own |
 //! | `mutations.rs` | mutations of a good FMU |
 //! | `native.rs` | a model called directly and as an FMU |
 //! | `outputs.rs` | further recorded outputs |
@@ -43,6 +44,7 @@ mod fmu_kinds;
 mod force_balance;
 mod heat_input;
 mod hostile;
+mod isolated;
 mod mutations;
 mod native;
 mod outputs;

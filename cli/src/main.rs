@@ -102,6 +102,10 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    #[cfg(target_os = "linux")]
+    if let Some(code) = hotfoot::serve() {
+        return code;
+    }
     if let Err(reason) = child::begin() {
         tell(format_args!("Error: {reason}"));
         return ExitCode::FAILURE;

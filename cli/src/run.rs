@@ -51,6 +51,9 @@ pub struct RunArguments {
     /// Call each FMU of an SSP package, and each that the scenario names, on a thread of its own
     #[arg(long)]
     same_thread: bool,
+    /// Run the FMU of this component in a process of its own, such as `vehicle[2]`; `all` stands for all
+    #[arg(long, value_name = "NAME")]
+    isolate: Vec<String>,
     /// Show no progress
     #[arg(long)]
     quiet: bool,
@@ -164,6 +167,7 @@ fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
         tolerance: arguments.tolerance,
         checks: arguments.checks.map(Into::into),
         same_thread: arguments.same_thread,
+        isolate: arguments.isolate.clone(),
         quiet: arguments.quiet,
     };
     let results = child.results().ok_or_else(|| anyhow!("the parent has given no folder"))?;

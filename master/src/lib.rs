@@ -30,12 +30,14 @@ mod system;
 mod train;
 
 pub use files::{archive, xml_text};
-pub use fmi::{FmuInstance, Import, UNLOADING, note_unloading, pack, watched};
+pub use fmi::{FmuInstance, Import, Manner, UNLOADING, note_unloading, pack, unit, watched};
+#[cfg(target_os = "linux")]
+pub use fmi::{WAITING, serve};
 pub use interface::Interface;
 pub use run::error::RunError;
 pub use run::{Finished, Options, run};
 pub use system::checks::Checks;
-pub use system::structure::Structure;
+pub use system::structure::{Place, Structure};
 pub use system::unit::{Unit, UnitError};
 pub use train::fmus::Folders;
 pub use train::roles::{self, Role};

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::ExitStatus;
 
 use hotfoot::run::signal_name;
-use hotfoot::watched::{Call, Culprit, EndedBy, Page};
+use hotfoot::watched::{Call, Culprit, EndedBy, Page, crash_name};
 
 use super::resources::{Resources, memory_limit, spent_processor_time};
 use super::watch::{Ended, GRACE};
@@ -187,13 +187,7 @@ fn crash(signal: i32) -> String {
     let memory = memory_limit().filter(|_| signal == ABORT).map(|limit| {
         format!("; memory may have run out, of which it may have {:.0} MB (ulimit -v)", limit / 1e6)
     });
-    let what = match name_of(signal) {
-        "SIGABRT" => "abort",
-        "SIGSEGV" | "SIGBUS" => "a memory error",
-        "SIGFPE" => "an arithmetic error",
-        _ => "an illegal instruction",
-    };
-    format!("{what} ({}){}", name_of(signal), memory.unwrap_or_default())
+    format!("{}{}", crash_name(signal), memory.unwrap_or_default())
 }
 
 fn from_outside(signal: i32) -> String {

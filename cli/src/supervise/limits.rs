@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::time::Duration;
 
 use clap::Args;
-use hotfoot::watched::Call;
+use hotfoot::watched::{Call, Limit, Page};
 
 /// Options of all commands that call FMUs.
 #[derive(Args, Debug, Clone, PartialEq)]
@@ -39,16 +39,28 @@ pub struct Overdue {
 }
 
 impl Limits {
+    /// Tells a run the limits for the processes of its isolated FMUs.
+    pub fn tell(&self, page: &Page) {
+        page.set_limit(Limit::Start, self.start_limit);
+        page.set_limit(Limit::Step, self.step_limit);
+        page.set_limit(Limit::End, self.end_limit);
+    }
+
     /// The limit for a function and the option that sets it; `stepping` tells whether the run has begun
     /// to step, since variables are set and got before and after.
     fn of(&self, function: &str, stepping: bool) -> (f64, &'static str) {
         let (start, step) =
-            ((self.start_limit, "--start-limit"), (self.step_limit, "--step-limit"));
+            ((self.start_limit, Limit::Start.option()), (self.step_limit, Limit::Step.option()));
         match function {
+            // The run itself watches over the processes of isolated FMUs.
+            #[cfg(target_os = "linux")]
+            _ if hotfoot::WAITING.to_str() == Ok(function) => (0.0, ""),
             "fmi2Terminate" | "fmi2FreeInstance" | "fmi2FreeFMUstate" => {
-                (self.end_limit, "--end-limit")
+                (self.end_limit, Limit::End.option())
             }
-            _ if hotfoot::UNLOADING.to_str() == Ok(function) => (self.end_limit, "--end-limit"),
+            _ if hotfoot::UNLOADING.to_str() == Ok(function) => {
+                (self.end_limit, Limit::End.option())
+            }
             "fmi2DoStep" => step,
             _ if stepping => step,
             _ => start,

@@ -55,6 +55,7 @@ pub fn in_child(limits: &Limits, results: Option<&Path>) -> Result<End> {
     let temporary = Temporary::new()?;
     let (page, file, path) =
         Page::create(temporary.path()).context("there is no memory to share with a child")?;
+    limits.tell(&page);
     let before = Resources::now();
     let mut child = start(&path, temporary.path(), results)
         .context("this program cannot be started again as a child")?;

@@ -168,6 +168,12 @@ const ALSO_REQUIRED: &[&[u8]] = &[
     b"fmi2GetStringStatus",
 ];
 
+/// The status of that name.
+#[cfg(target_os = "linux")]
+pub fn known_status(name: &str) -> &'static str {
+    (OK..=PENDING).map(status_name).find(|known| *known == name).unwrap_or(status_name(-1))
+}
+
 /// The functions that a binary of the FMU `subject` lacks of the 34 that every FMU must have.
 ///
 /// # Errors

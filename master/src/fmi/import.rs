@@ -1,8 +1,8 @@
 //! An FMU file: unpacked and loaded once, instantiated as often as needed.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
@@ -92,22 +92,27 @@ pub enum ImportError {
     },
 }
 
-/// An FMU on disk and in memory.
+/// An FMU on disk and, once it is loaded, in the memory of this process.
 pub struct Import {
     /// The FMU's file, for messages.
     file: String,
     interface: Interface,
-    pub(super) functions: Functions,
-    /// The loaded binary.
-    binary: PathBuf,
-    /// What loading it did to how the processor computes.
-    change: Option<String>,
-    /// Keeps the unpacked files.
-    folder: tempfile::TempDir,
+    loaded: OnceLock<Loaded>,
+    /// The folder of the unpacked files.
+    folder: PathBuf,
+    /// Keeps them, if this process has unpacked them.
+    _unpacked: Option<tempfile::TempDir>,
     /// What the resources are copies of.
     origins: Origins,
     /// Whether an instance has returned `fmi2Fatal`, after which no function may be called.
     fatal: AtomicBool,
+}
+
+/// The binary of an FMU in this process.
+struct Loaded {
+    functions: Functions,
+    /// What loading it did to how the processor computes.
+    change: Option<String>,
 }
 
 impl Import {
@@ -116,36 +121,76 @@ impl Import {
     /// # Errors
     /// When the file is not a usable FMI 2.0 co-simulation FMU for this platform.
     pub fn open(path: &Path) -> Result<Arc<Self>, ImportError> {
-        Self::open_copy(path, Origins::default())
+        let import = Self::unpack(path, Origins::default())?;
+        import.load()?;
+        Ok(import)
     }
 
-    /// Unpacks and loads an FMU whose resources are copies of other files, which its messages
-    /// shall name.
+    /// Unpacks an FMU without running any of its code. Its resources may be copies of other files, which
+    /// its messages shall name.
     ///
     /// # Errors
-    /// When the file is not a usable FMI 2.0 co-simulation FMU for this platform.
-    pub fn open_copy(path: &Path, origins: Origins) -> Result<Arc<Self>, ImportError> {
+    /// When the file is no FMI 2.0 co-simulation FMU with a binary for this platform.
+    pub fn unpack(path: &Path, origins: Origins) -> Result<Arc<Self>, ImportError> {
         let file = path.display().to_string();
         let folder = temporary_folder(&file)?;
         archive::unpack(path, folder.path())?;
-        let interface = read_interface(folder.path(), &file)?;
+        let import = Self::of_folder(file, folder.path().to_owned())?;
+        Ok(Arc::new(Self { _unpacked: Some(folder), origins, ..import }))
+    }
+
+    /// The FMU that is unpacked in `folder`, which messages call `file`.
+    ///
+    /// # Errors
+    /// When it is no FMI 2.0 co-simulation FMU with a binary for this platform.
+    pub(super) fn of_folder(file: String, folder: PathBuf) -> Result<Self, ImportError> {
+        let interface = read_interface(&folder, &file)?;
         let binary = binary_path(&interface.identifier);
-        let full = folder.path().join(&binary);
-        if !full.is_file() {
-            let (binary, has) =
-                (binary.display().to_string(), Binaries::of(folder.path()).sentence());
+        if !folder.join(&binary).is_file() {
+            let (binary, has) = (binary.display().to_string(), Binaries::of(&folder).sentence());
             return Err(ImportError::NoBinary { file, binary, has });
         }
+        Ok(Self {
+            file,
+            interface,
+            loaded: OnceLock::new(),
+            folder,
+            _unpacked: None,
+            origins: Origins::default(),
+            fatal: AtomicBool::new(false),
+        })
+    }
+
+    /// Loads the binary into this process, if it is not there yet.
+    ///
+    /// # Errors
+    /// When the system cannot load it, or it lacks a function.
+    pub fn load(&self) -> Result<(), ImportError> {
+        if self.loaded.get().is_some() {
+            return Ok(());
+        }
         let before = Environment::now();
-        let functions = Functions::load(&full, &file);
+        let functions = Functions::load(&self.binary(), &self.file);
         let change = before.put_back();
         let functions = functions.map_err(|cause| ImportError::Binary {
-            file: file.clone(),
-            binary: binary.display().to_string(),
+            file: self.file.clone(),
+            binary: binary_path(&self.interface.identifier).display().to_string(),
             cause,
         })?;
-        let (binary, fatal) = (full, AtomicBool::new(false));
-        Ok(Arc::new(Self { file, interface, functions, binary, change, folder, origins, fatal }))
+        self.loaded.get_or_init(|| Loaded { functions, change });
+        Ok(())
+    }
+
+    fn loaded(&self) -> &Loaded {
+        self.loaded.get().expect("an FMU is loaded before it is called")
+    }
+
+    /// The functions of the binary.
+    ///
+    /// # Panics
+    /// When it is not loaded.
+    pub(super) fn functions(&self) -> &Functions {
+        &self.loaded().functions
     }
 
     /// What the model description of an FMU says, whose binary is not needed.
@@ -169,14 +214,19 @@ impl Import {
         &self.file
     }
 
-    /// The loaded binary.
-    pub(super) fn binary(&self) -> &Path {
-        &self.binary
+    /// The file of the binary.
+    pub(super) fn binary(&self) -> PathBuf {
+        self.folder.join(binary_path(&self.interface.identifier))
+    }
+
+    /// The folder in which it is unpacked.
+    pub(super) fn folder(&self) -> &Path {
+        &self.folder
     }
 
     /// Notes for an instance what loading the binary did to how the processor computes.
     pub(super) fn tell_loading(&self, messages: &Messages) {
-        if let Some(change) = &self.change {
+        if let Some(change) = &self.loaded().change {
             messages.note_environment(&format!("loading its binary left {change}"));
         }
     }
@@ -193,7 +243,7 @@ impl Import {
 
     /// What `fmi2GetVersion` and `fmi2GetTypesPlatform` answer.
     pub fn version_and_platform(&self) -> (String, String) {
-        self.functions.version_and_platform()
+        self.functions().version_and_platform()
     }
 
     /// A message of the FMU with the files that the user knows.
@@ -203,7 +253,7 @@ impl Import {
 
     /// The unpacked folder of the FMU's resources.
     pub fn resources(&self) -> PathBuf {
-        self.folder.path().join("resources")
+        self.folder.join("resources")
     }
 
     /// The folder of the FMU's resources as a file URI.

@@ -53,18 +53,25 @@ impl FmuInstance {
     /// # Errors
     /// When the FMU refuses, with what it logged.
     pub fn new(import: &Arc<Import>, name: &str) -> Result<Self, UnitError> {
+        import.load().map_err(|error| UnitError {
+            instance: name.into(),
+            source_file: import.file().into(),
+            action: "loading of the binary".into(),
+            status: None,
+            last_message: Some(error.to_string().into()),
+        })?;
         let c_name = CString::new(name).unwrap_or_default();
         let guid = CString::new(import.interface().guid.as_str()).unwrap_or_default();
         let resources = CString::new(import.resource_uri()).unwrap_or_default();
         let subject = format!("{name} ({})", import.file());
-        let messages = Messages::of(&subject, import.binary());
+        let messages = Messages::of(&subject, &import.binary());
         import.tell_loading(messages);
         let callbacks = callbacks(messages);
         let label = label(&subject);
         let component = guarded(messages, label, c"fmi2Instantiate", || {
             // SAFETY: the strings live during the call, the callbacks as long as the process.
             unsafe {
-                (import.functions.instantiate)(
+                (import.functions().instantiate)(
                     c_name.as_ptr(),
                     CO_SIMULATION,
                     guid.as_ptr(),
@@ -134,7 +141,7 @@ impl FmuInstance {
             let action = format!("{}{} after fmi2Fatal", name.to_string_lossy(), detail(self));
             return Err(self.error(action, None));
         }
-        let (functions, component) = (&self.import.functions, self.component);
+        let (functions, component) = (self.import.functions(), self.component);
         Ok(guarded(self.messages, self.label, name, || function(functions, component)))
     }
 
@@ -212,7 +219,7 @@ impl Drop for FmuInstance {
     fn drop(&mut self) {
         self.free_state();
         if !self.component_is_fatal() {
-            let (functions, component) = (&self.import.functions, self.component);
+            let (functions, component) = (self.import.functions(), self.component);
             self.messages.free();
             guarded(self.messages, self.label, c"fmi2FreeInstance", || {
                 // SAFETY: the instance is alive and never used again.

@@ -5,6 +5,9 @@ use std::sync::Arc;
 use super::home::AtHome;
 use super::import::Import;
 use super::instance::FmuInstance;
+#[cfg(target_os = "linux")]
+use super::isolated::Isolated;
+use crate::system::structure::Place;
 use crate::system::unit::{Unit, UnitError};
 
 /// How an instance is called.
@@ -12,8 +15,8 @@ use crate::system::unit::{Unit, UnitError};
 pub struct Manner {
     /// Whether a step that it discards is tried again in parts.
     pub retries: bool,
-    /// Whether it is made, called and freed on a thread of its own.
-    pub same_thread: bool,
+    /// Where it is made, called and freed.
+    pub place: Place,
     /// Relative tolerance of its solver; none: what its FMU proposes.
     pub tolerance: Option<f64>,
 }
@@ -28,8 +31,24 @@ pub fn unit(import: &Arc<Import>, name: &str, manner: Manner) -> Result<Box<dyn 
         let instance = FmuInstance::new(&own, &own_name)?.with_tolerance(manner.tolerance);
         Ok(if manner.retries { instance.retrying() } else { instance })
     };
-    Ok(match manner.same_thread {
-        true => Box::new(AtHome::new(import, name, make)?),
-        false => Box::new(make()?),
+    Ok(match manner.place {
+        Place::AnyThread => Box::new(make()?),
+        Place::OwnThread => Box::new(AtHome::new(import, name, make)?),
+        #[cfg(target_os = "linux")]
+        Place::OwnProcess => Box::new(Isolated::new(import, name, manner)?),
+        #[cfg(not(target_os = "linux"))]
+        Place::OwnProcess => return Err(not_here(import, name)),
     })
+}
+
+/// The error of an FMU that is wanted in a process of its own where there is no way to do so.
+#[cfg(not(target_os = "linux"))]
+fn not_here(import: &Import, name: &str) -> UnitError {
+    UnitError {
+        instance: name.into(),
+        source_file: import.file().into(),
+        action: "a process of its own".into(),
+        status: None,
+        last_message: Some("an FMU can be isolated on Linux only; leave `isolate` out".into()),
+    }
 }

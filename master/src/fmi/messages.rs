@@ -124,6 +124,12 @@ impl Messages {
         warnings
     }
 
+    /// Keeps a warning that has come from elsewhere.
+    #[cfg(target_os = "linux")]
+    pub fn warn(&self, text: String) {
+        lock(&self.content).warn(text);
+    }
+
     /// Notes the time to which the instance has come, s.
     pub fn reached(&self, time: f64) {
         self.time.store(time.to_bits(), Ordering::Relaxed);

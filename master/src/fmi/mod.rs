@@ -10,11 +10,13 @@
 //! | `describe.rs` | asks a binary of Hotfoot's own to describe itself for given resources |
 //! | `guard/` | what is checked around every call |
 //! | `import.rs` | an FMU file: unpacked and loaded once |
+//! | `isolated/` | an instance in a process of its own |
 //! | `origins.rs` | what its resources are copies of |
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
 //! | `manner.rs`, `home.rs` | how an instance is called: on a thread of its own |
 //! | `resource_paths.rs` | texts that name files in an FMU's own resources |
 //! | `step.rs` | the step, and what each status of it means |
+//! | `places.rs` | which FMUs run in this process and which in their own |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
 //!
@@ -32,12 +34,13 @@ mod home;
 mod import;
 mod instance;
 #[cfg(target_os = "linux")]
-pub mod isolated;
+mod isolated;
 mod library;
 mod manner;
 mod messages;
 mod origins;
 pub mod pack;
+pub mod places;
 mod resource_paths;
 mod step;
 mod unit;
@@ -48,6 +51,8 @@ pub use binding::{missing_functions, reason};
 pub use describe::describe;
 pub use import::{Import, ImportError, binary_path, read_interface};
 pub use instance::FmuInstance;
+#[cfg(target_os = "linux")]
+pub use isolated::{WAITING, serve};
 pub use library::{UNLOADING, note_unloading};
 pub use manner::{Manner, unit};
 pub use origins::Origins;

@@ -135,6 +135,13 @@ impl Interface {
         Self { variables, ..Self::default() }
     }
 
+    /// The interface with further variables.
+    #[must_use]
+    pub fn with(mut self, variables: impl IntoIterator<Item = Variable>) -> Self {
+        self.variables.extend(variables.into_iter().map(|v| (v.name.clone(), v)));
+        self
+    }
+
     /// The variable of that name.
     pub fn variable(&self, name: &str) -> Option<&Variable> {
         self.variables.get(name)

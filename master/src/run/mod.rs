@@ -87,6 +87,7 @@ pub fn run(path: &Path, results: &Path, options: &Options) -> Result<Finished, R
     scenario.fmus.tolerance = options.tolerance.or(scenario.fmus.tolerance);
     scenario.checks = options.checks.or(scenario.checks);
     scenario.fmus.same_thread |= options.same_thread;
+    scenario.fmus.isolated.clone_from(&options.isolate);
     let workplace = Workplace::open(options.threads)?;
     let folders = Folders { fmus: options.fmus.clone(), results: results.to_owned() };
     // With one thread all that an FMU sees, from loading to freeing, happens on it.

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use crate::scenario::Times;
 use crate::system::checks::Checks;
+use crate::system::structure::Place;
 
 /// How a scenario or a package is run.
 #[derive(Debug, Clone, Default)]
@@ -20,6 +21,15 @@ pub struct Options {
     pub checks: Option<Checks>,
     /// Whether every FMU of a package, and every one that a scenario names, has a thread of its own.
     pub same_thread: bool,
+    /// Names of components whose FMUs run in processes of their own; `all` stands for all.
+    pub isolate: Vec<String>,
     /// No progress bar.
     pub quiet: bool,
+}
+
+impl Options {
+    /// Where FMUs are called at least.
+    pub(super) fn place(&self) -> Place {
+        if self.same_thread { Place::OwnThread } else { Place::AnyThread }
+    }
 }

@@ -38,10 +38,11 @@ pub(crate) fn setup(
 ) -> Result<Setup, RunError> {
     let (folder, mut structure) = source::read(path, &results.join("package"))?;
     for component in &mut structure.components {
-        component.schedule.same_thread |= options.same_thread;
+        component.schedule.place = component.schedule.place.max(options.place());
     }
     let file = path.display().to_string();
     let imports = ssp::imports(&structure, &folder, &file)?;
+    ssp::place(&mut structure, &imports, &options.isolate, &file)?;
     ssp::leave_out_unmatched(&mut structure, &imports);
     structure.tolerance = options.tolerance;
     if let ([component], None) = (structure.components.as_slice(), structure.stop) {

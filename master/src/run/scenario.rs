@@ -59,6 +59,7 @@ pub fn setup(
         ..rail_facts(heat, &layout)
     });
     let mut manifest = Manifest::new(&system);
+    manifest.warnings = structure.notes;
     manifest.scenario = Some(text);
     manifest.run = Some(RunFacts {
         title: scenario.title.clone(),

@@ -7,6 +7,7 @@ use files::{Check, Mistake};
 use garde::Validate;
 
 use super::file::Scenario;
+use super::fmus::OnFailure;
 
 /// Checks the bounds of all values and what one key demands of another.
 pub fn check(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
@@ -16,6 +17,7 @@ pub fn check(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
         return Err(check.wrong(&from_one(&path.to_string()), in_words(error.message())));
     }
     check_vehicles(scenario, check)?;
+    check_failures(scenario, check)?;
     check_train_alone(scenario, check)?;
     check_times(scenario, check)
 }
@@ -70,6 +72,23 @@ fn check_vehicles(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     for (i, number) in scenario.record.wheels_of.iter().enumerate() {
         let key = format!("record.wheels_of[{}]", i + 1);
         check.ensure(*number <= count, &key, number, &behind)?;
+    }
+    Ok(())
+}
+
+/// What shall outlive a failure has a process of its own.
+fn check_failures(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
+    let fmus = &scenario.fmus;
+    let wanted = "a vehicle can follow the train only if its FMU has a process of its own; add isolate = \
+                  \"process\"";
+    let isolated =
+        fmus.isolate.is_some() || fmus.vehicle_at.iter().any(|own| own.isolate.is_some());
+    check.ensure(isolated || !fmus.on_failure.follows(), "fmus.on_failure", "follow", wanted)?;
+    for (i, own) in fmus.vehicle_at.iter().enumerate() {
+        let check = check.element("fmus.vehicle_at", i);
+        let isolated = fmus.isolate.is_some() || own.isolate.is_some();
+        let follows = own.on_failure.is_some_and(OnFailure::follows);
+        check.ensure(isolated || !follows, "on_failure", "follow", wanted)?;
     }
     Ok(())
 }

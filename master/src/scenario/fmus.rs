@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::value::Value;
+use crate::system::structure::Place;
 
 /// FMUs that replace Hotfoot's own.
 #[derive(Debug, Clone, Default, Deserialize, Serialize, JsonSchema, Validate)]
@@ -41,6 +42,66 @@ pub struct Fmus {
     /// For FMUs that may be called only by the thread that has made them.
     #[garde(skip)]
     pub same_thread: bool,
+    /// `process`: each FMU that is named here runs in a process of its own.
+    ///
+    /// If it crashes, ends its process or never returns, that costs this FMU only.
+    #[garde(skip)]
+    pub isolate: Option<Isolate>,
+    /// What becomes of the run if such an FMU of a vehicle fails in a step.
+    #[garde(skip)]
+    pub on_failure: OnFailure,
+    /// Components that the command line isolates besides.
+    #[serde(skip)]
+    #[garde(skip)]
+    pub isolated: Vec<String>,
+}
+
+/// How an FMU is kept apart from the others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Isolate {
+    /// In a process of its own.
+    Process,
+}
+
+/// What becomes of the run if the isolated FMU of a vehicle fails in a step.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum OnFailure {
+    /// It ends.
+    #[default]
+    End,
+    /// It goes on, and the vehicle follows the motion of the train, without forces.
+    Follow,
+}
+
+impl OnFailure {
+    /// Whether the vehicle follows the train.
+    pub fn follows(self) -> bool {
+        self == Self::Follow
+    }
+}
+
+impl Fmus {
+    /// Where the FMUs that are named here are called.
+    pub fn place(&self) -> Place {
+        place(self.isolate, self.same_thread)
+    }
+}
+
+impl VehicleReplacement {
+    /// Where its FMU is called at least.
+    pub fn place(&self) -> Place {
+        place(self.isolate, self.same_thread)
+    }
+}
+
+fn place(isolate: Option<Isolate>, same_thread: bool) -> Place {
+    match (isolate, same_thread) {
+        (Some(Isolate::Process), _) => Place::OwnProcess,
+        (None, true) => Place::OwnThread,
+        (None, false) => Place::AnyThread,
+    }
 }
 
 /// An FMU, or other parameters, for one vehicle.
@@ -66,4 +127,10 @@ pub struct VehicleReplacement {
     #[serde(default)]
     #[garde(skip)]
     pub same_thread: bool,
+    /// `process`: its FMU runs in a process of its own.
+    #[garde(skip)]
+    pub isolate: Option<Isolate>,
+    /// What becomes of the run if that fails in a step; left out: as for all.
+    #[garde(skip)]
+    pub on_failure: Option<OnFailure>,
 }

@@ -21,7 +21,7 @@ mod value;
 pub use file::{
     Couplers, Driver, Record, Scenario, Scheme, Synchronisation, Track, Train, VehicleGroup, Wind,
 };
-pub use fmus::{Fmus, VehicleReplacement};
+pub use fmus::{Fmus, Isolate, OnFailure, VehicleReplacement};
 pub use heat::{FieldFailure, Heat, Probe, Rail, Trains};
 pub use load::{file_of, load};
 pub use times::Times;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::error::SspError;
 use super::package::path_of;
-use crate::fmi::{self, Import, Manner, with_resource_paths};
+use crate::fmi::{self, Import, Manner, Origins, places, with_resource_paths};
 use crate::system::clock::Clock;
 use crate::system::compile::{CompileError, compile};
 use crate::system::step::System;
@@ -30,8 +30,8 @@ pub fn open(
     let structure = with_resource_paths(structure, |component| imports.get(&component.source));
     let unit = |component: &Component| -> Result<Box<dyn Unit>, SspError> {
         let import = &imports[&component.source];
-        let (same_thread, tolerance) = (component.schedule.same_thread, structure.tolerance);
-        let manner = Manner { same_thread, tolerance, ..Manner::default() };
+        let (place, tolerance) = (component.schedule.place, structure.tolerance);
+        let manner = Manner { place, tolerance, ..Manner::default() };
         Ok(fmi::unit(import, &component.name, manner)?)
     };
     let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
@@ -41,10 +41,11 @@ pub fn open(
     })
 }
 
-/// Every FMU once, however many components use it; `package` is the folder of the unpacked package.
+/// Every FMU once, however many components use it, without running its code; `package` is the folder of the
+/// unpacked package.
 ///
 /// # Errors
-/// When one is missing or cannot be used, or is wanted more often than it allows.
+/// When one is missing or cannot be used.
 pub fn imports(structure: &Structure, package: &Path, file: &str) -> Result<Imports, SspError> {
     let unfit = |problem| SspError::Unfit { file: file.to_owned(), problems: vec![problem] };
     let mut sources: BTreeMap<PathBuf, Vec<&str>> = BTreeMap::new();
@@ -57,19 +58,30 @@ pub fn imports(structure: &Structure, package: &Path, file: &str) -> Result<Impo
     }
     let mut imports = Imports::new();
     for (path, sources) in sources {
-        let import = Import::open(&path)?;
-        let (source, count) = (sources[0], sources.len());
-        if import.interface().once_per_process && count > 1 {
-            return Err(unfit(format!(
-                "{source} allows only one instance in a process \
-                 (canBeInstantiatedOnlyOncePerProcess), but {count} components use it"
-            )));
-        }
+        let import = Import::unpack(&path, Origins::default())?;
         for source in sources {
             imports.insert(source.to_owned(), Arc::clone(&import));
         }
     }
     Ok(imports)
+}
+
+/// Puts the FMUs of components of the names in `isolated`, and those that need it, into processes of their
+/// own, and loads the others.
+///
+/// # Errors
+/// When there is no component of that name, or an FMU cannot be loaded.
+pub fn place(
+    structure: &mut Structure,
+    imports: &Imports,
+    isolated: &[String],
+    file: &str,
+) -> Result<(), SspError> {
+    let Structure { components, notes, .. } = structure;
+    let unfit = |problem| SspError::Unfit { file: file.to_owned(), problems: vec![problem] };
+    places::isolate(components, isolated, |_| true).map_err(unfit)?;
+    notes.extend(places::load(components, |component| imports.get(&component.source))?);
+    Ok(())
 }
 
 /// Takes the start values out of a structure for which there are no variables, which SSP 1.0 wants

@@ -15,16 +15,19 @@
 //!
 //! A component without one steps at every communication point in stage 0, and inputs without one get
 //! means. `sameThread="true"` beside them: its FMU may be called by the thread only that has made it.
+//! `isolate="process"`: its FMU runs in a process of its own.
 
 use roxmltree::Node;
 use serde::Serialize;
 
 use super::error::SspError;
 use super::xml::{XmlFile, child, children};
-use crate::system::structure::{Sampling, Schedule, Structure};
+use crate::system::structure::{Place, Sampling, Schedule, Structure};
 
 /// The namespace of the annotations.
 pub const NAMESPACE: &str = "urn:hotfoot:ssp";
+/// Value of `isolate`.
+const PROCESS: &str = "process";
 /// Type of the annotation of a component.
 const SCHEDULE_TYPE: &str = "org.hotfoot.schedule";
 /// Type of the annotation of the experiment, with the names of the stages.
@@ -47,6 +50,8 @@ struct ScheduleElement<'a> {
     every: u64,
     #[serde(rename = "@sameThread", skip_serializing_if = "std::ops::Not::not")]
     same_thread: bool,
+    #[serde(rename = "@isolate", skip_serializing_if = "Option::is_none")]
+    isolate: Option<&'static str>,
     #[serde(rename = "hotfoot:Input")]
     inputs: Vec<Input<'a>>,
 }
@@ -90,9 +95,11 @@ impl<'a> Annotation<'a> {
         let stated = samplings.iter().filter(|_| schedule.every > 1);
         let stated = stated.filter(|(_, sampling)| *sampling != Sampling::default());
         let inputs = stated.map(|&(name, sampling)| Input { name, sampling: name_of(sampling) });
-        let Schedule { stage, every, same_thread } = schedule;
+        let Schedule { stage, every, place } = schedule;
         let inputs = inputs.collect();
-        let schedule = ScheduleElement { stage, every, same_thread, inputs };
+        let same_thread = place == Place::OwnThread;
+        let isolate = (place == Place::OwnProcess).then_some(PROCESS);
+        let schedule = ScheduleElement { stage, every, same_thread, isolate, inputs };
         Some(Self { kind: SCHEDULE_TYPE, schedule })
     }
 }
@@ -142,7 +149,15 @@ pub fn read(
         samplings.push((file.required(input, "name")?.to_owned(), sampling.1));
     }
     let same_thread = file.value(node, "sameThread")?.unwrap_or(false);
-    Ok((Schedule { stage, every, same_thread }, samplings))
+    let place = match node.attribute("isolate") {
+        Some(PROCESS) => Place::OwnProcess,
+        Some(other) => {
+            return Err(file.wrong(node, format!("isolate=\"{other}\" must be {PROCESS}")));
+        }
+        None if same_thread => Place::OwnThread,
+        None => Place::AnyThread,
+    };
+    Ok((Schedule { stage, every, place }, samplings))
 }
 
 /// A file that names a stage of a high number would take memory for all before it.

@@ -28,6 +28,8 @@ pub struct Part {
     pub watch: Watch,
     /// Wall time of its steps so far.
     pub wall: Duration,
+    /// Whether a step of it goes on elsewhere.
+    begun: bool,
     /// Sums of the connected inputs since its last step, where it steps less often than the others.
     pub(super) sums: Vec<f64>,
     /// What becomes of the sum of each of them.
@@ -47,6 +49,7 @@ impl Part {
             every,
             stage,
             wall: Duration::ZERO,
+            begun: false,
             sums: vec![],
             samplings: vec![],
         }
@@ -65,9 +68,33 @@ impl Part {
         if !self.is_due(k) {
             return Ok(());
         }
+        let (time, length) = self.span(clock, k);
+        if std::mem::take(&mut self.begun) {
+            return self.complete(time, length);
+        }
         self.form_means();
-        let from = k + 1 - self.every;
-        self.advance(clock.at(from), self.every as f64 * clock.length)
+        self.advance(time, length)
+    }
+
+    /// Begins that step of a unit that computes elsewhere, so that it goes on while others step.
+    ///
+    /// # Errors
+    /// When the unit fails.
+    pub(super) fn begin(&mut self, clock: Clock, k: u64) -> Result<(), UnitError> {
+        if !self.unit.is_apart() || !self.is_due(k) {
+            return Ok(());
+        }
+        self.form_means();
+        self.inputs.set(self.unit.as_mut())?;
+        let (time, length) = self.span(clock, k);
+        self.unit.begin_step(time, length)?;
+        self.begun = true;
+        Ok(())
+    }
+
+    /// Where a step to point `k + 1` begins, and how long it is, s.
+    fn span(&self, clock: Clock, k: u64) -> (f64, f64) {
+        (clock.at(k + 1 - self.every), self.every as f64 * clock.length)
     }
 
     /// Steps with the inputs as they are from `time` over `length`, s.
@@ -75,9 +102,13 @@ impl Part {
     /// # Errors
     /// When the unit fails.
     pub fn advance(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
+        self.inputs.set(self.unit.as_mut())?;
+        self.complete(time, length)
+    }
+
+    fn complete(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
         // Asking the clock takes longer than the step of a unit that is brief.
         let watch = (!self.unit.is_brief()).then(Stopwatch::start);
-        self.inputs.set(self.unit.as_mut())?;
         self.unit.step(time, length)?;
         self.take_outputs(time + length)?;
         self.wall += watch.map_or(Duration::ZERO, |mut watch| watch.lap());

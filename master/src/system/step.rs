@@ -1,7 +1,8 @@
 //! The step of a system: one loop for trains and for any other system.
 //!
 //! After each step the outputs of a unit are got once; then everything is computed, set once and
-//! stepped, so that no output is read between a set and the next step (FMI 2.0 §4.2.4). Times
+//! stepped, so that no output is read between a set and the next step (FMI 2.0 §4.2.4). Units that compute
+//! elsewhere are begun first. Times
 //! are t_k = t_0 + k·h from integers. Units share nothing within a stage, and sums are taken in the
 //! order of the connections, so that the number of threads cannot change a result.
 
@@ -80,6 +81,7 @@ impl System {
             self.times.exchange += watch.lap();
             let parts = &mut self.parts[stage.parts.clone()];
             let (brief, long) = parts.split_at_mut(stage.brief);
+            long.iter_mut().try_for_each(|part| part.begin(clock, k))?;
             brief.iter_mut().try_for_each(|part| part.step(clock, k))?;
             parallel::for_each(long, |part| part.step(clock, k))?;
             *time += watch.lap();

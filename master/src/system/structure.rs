@@ -54,14 +54,26 @@ pub struct Schedule {
     pub stage: usize,
     /// It steps at every so many communication points.
     pub every: u64,
-    /// Whether its FMU must be called by the thread that has made it.
-    pub same_thread: bool,
+    /// Where its FMU is called.
+    pub place: Place,
+}
+
+/// Where an FMU is made, called and freed; what comes later keeps it further from the others.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Place {
+    /// On any thread of the run.
+    #[default]
+    AnyThread,
+    /// On a thread of its own.
+    OwnThread,
+    /// In a process of its own.
+    OwnProcess,
 }
 
 impl Default for Schedule {
     /// With all others, at every communication point.
     fn default() -> Self {
-        Self { stage: 0, every: 1, same_thread: false }
+        Self { stage: 0, every: 1, place: Place::AnyThread }
     }
 }
 

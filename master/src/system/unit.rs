@@ -57,6 +57,19 @@ pub trait Unit: Send {
         false
     }
 
+    /// Whether it computes elsewhere, so that a step that was begun goes on while others step.
+    fn is_apart(&self) -> bool {
+        false
+    }
+
+    /// Begins the step that [`Self::step`] ends then.
+    ///
+    /// # Errors
+    /// When the unit cannot be reached.
+    fn begin_step(&mut self, _: f64, _: f64) -> Result<(), UnitError> {
+        Ok(())
+    }
+
     /// Sets a String variable.
     ///
     /// # Errors

@@ -50,16 +50,9 @@ pub enum PrepareError {
         /// Path looked at.
         path: String,
     },
-    /// An FMU that allows one instance a process is wanted more than once.
-    #[error(
-        "{file} allows only one instance in a process (canBeInstantiatedOnlyOncePerProcess), but the train needs {count}"
-    )]
-    OncePerProcess {
-        /// FMU.
-        file: String,
-        /// Instances wanted.
-        count: usize,
-    },
+    /// The user names a component that is not there.
+    #[error("{0}")]
+    Component(String),
     /// A parameter of an FMU is not what the scenario takes it for.
     #[error("{key}: \"{name}\" = {value}: {problem}")]
     Parameter {

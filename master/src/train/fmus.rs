@@ -39,7 +39,7 @@ impl Folders {
             }
             other => other.into(),
         })?;
-        Ok(Import::open_copy(&target, origins)?)
+        Ok(Import::unpack(&target, origins)?)
     }
 }
 
@@ -49,12 +49,4 @@ pub(super) fn check_fmu(path: &Path) -> Result<(), PrepareError> {
         true => Ok(()),
         false => Err(PrepareError::NoFmu { path: path.display().to_string() }),
     }
-}
-
-/// Refuses an FMU that allows one instance a process where there will be `count`.
-pub(super) fn check_instances(import: &Import, count: usize) -> Result<(), PrepareError> {
-    if import.interface().once_per_process && count > 1 {
-        return Err(PrepareError::OncePerProcess { file: import.file().to_owned(), count });
-    }
-    Ok(())
 }

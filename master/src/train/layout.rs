@@ -27,6 +27,8 @@ pub struct VehicleHolder {
     pub names: Names,
     /// Number of wheelsets.
     pub wheelsets: usize,
+    /// Whether it follows the motion of the train if its FMU fails in a process of its own.
+    pub follows: bool,
     /// Component of its controller.
     pub controller: String,
 }

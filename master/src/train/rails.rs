@@ -3,18 +3,17 @@
 use numerics::constants::RAIL_LATERAL_POSITION;
 
 use super::error::PrepareError;
-use super::fmus::check_instances;
 use super::layout::RailHolder;
 use super::parameters::parameter;
 use super::resources;
 use super::roles::tables::SIDES;
 use super::roles::{self, Names, Role};
 use super::structure::{Builder, RAIL_STAGE, check_role};
-use crate::fmi::Import;
+use crate::fmi::{Import, Origins};
 use crate::interface::Interface;
 use crate::scenario::{Heat, Scenario};
 use crate::system::step::System;
-use crate::system::structure::{Parameter, Schedule, Value};
+use crate::system::structure::{Parameter, Place, Schedule, Value};
 use crate::system::unit::UnitError;
 
 /// Distance of each rail to the right of the track's middle on standard gauge, m.
@@ -26,13 +25,12 @@ impl Builder<'_> {
         let wheelsets: Vec<usize> =
             self.layout.vehicles.iter().map(|vehicle| vehicle.wheelsets).collect();
         let import = match &self.scenario.fmus.railheat {
-            Some(file) => Import::open(file)?,
+            Some(file) => Import::unpack(file, Origins::default())?,
             None => self.folders.packed("railheat", "rail", |folder| {
                 resources::write_railheat(self.scenario, heat, &wheelsets, folder)
             })?,
         };
         let sides = heat.rail.sides();
-        check_instances(&import, sides.len())?;
         check_role(&import, &roles::railheat(&wheelsets), &Names::new(), Role::Railheat)?;
         let every = heat.step_s.map_or(1, |step| (step / self.scenario.step_s).round() as u64);
         for &side in sides {
@@ -42,8 +40,8 @@ impl Builder<'_> {
             };
             let parameters = self.rail_parameters(heat, side, &import)?;
             let fmus = &self.scenario.fmus;
-            let same_thread = fmus.same_thread && fmus.railheat.is_some();
-            let schedule = Schedule { stage: RAIL_STAGE, every, same_thread };
+            let place = fmus.railheat.as_ref().map_or(Place::AnyThread, |_| fmus.place());
+            let schedule = Schedule { stage: RAIL_STAGE, every, place };
             self.add(&component, &import, parameters, schedule);
             self.layout.rails.push(RailHolder { component, side });
         }

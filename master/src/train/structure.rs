@@ -10,12 +10,14 @@ use ::controller::Gains;
 use super::controller::{self, ControllerUnit};
 use super::error::PrepareError;
 use super::fmus::{Folders, check_fmu};
+use super::follow;
 use super::layout::{Layout, VehicleHolder};
 use super::limits::limit;
 use super::resources;
 use super::roles::{self, Names, Role};
+use super::vehicles::Kept;
 use super::wiring::connections;
-use crate::fmi::{self, Import, Manner, with_resource_paths};
+use crate::fmi::{self, Import, Manner, Origins, places, with_resource_paths};
 use crate::interface::Interface;
 use crate::scenario::{Scenario, Scheme};
 use crate::system::checks::Checks;
@@ -23,7 +25,7 @@ use crate::system::clock::Clock;
 use crate::system::compile::compile;
 use crate::system::start::StartError;
 use crate::system::step::System;
-use crate::system::structure::{Component, Parameter, Schedule, Structure, Value};
+use crate::system::structure::{Component, Parameter, Place, Schedule, Structure, Value};
 use crate::system::unit::{Unit, terminate};
 
 /// File of the controller's FMU.
@@ -91,6 +93,11 @@ pub fn of_scenario(scenario: &Scenario, folders: &Folders) -> Result<TrainSystem
     let interfaces: HashMap<&str, &Interface> =
         structure.components.iter().map(|c| (c.name.as_str(), interface(c))).collect();
     structure.connections = connections(&layout, &interfaces);
+    let isolated = &scenario.fmus.isolated;
+    let is_fmu = |component: &Component| imports.contains_key(&component.source);
+    places::isolate(&mut structure.components, isolated, is_fmu)
+        .map_err(PrepareError::Component)?;
+    structure.notes = places::load(&mut structure.components, |own| imports.get(&own.source))?;
     let (retries, checks) =
         (scenario.fmus.retry_discarded_steps, scenario.checks.unwrap_or_default());
     Ok(TrainSystem { structure, layout, imports, retries, checks })
@@ -142,7 +149,7 @@ impl Builder<'_> {
 
     fn train(&mut self) -> Result<(), PrepareError> {
         let import = match &self.scenario.fmus.longitudinal {
-            Some(file) => Import::open(file)?,
+            Some(file) => Import::unpack(file, Origins::default())?,
             None => self.folders.packed("longitudinal", "train", |folder| {
                 resources::write_longitudinal(self.scenario, folder)
             })?,
@@ -163,8 +170,8 @@ impl Builder<'_> {
         }
         self.layout.train = "train".to_owned();
         let fmus = &self.scenario.fmus;
-        let same_thread = fmus.same_thread && fmus.longitudinal.is_some();
-        let schedule = Schedule { stage: TRAIN_STAGE, same_thread, ..Schedule::default() };
+        let place = fmus.longitudinal.as_ref().map_or(Place::AnyThread, |_| fmus.place());
+        let schedule = Schedule { stage: TRAIN_STAGE, place, ..Schedule::default() };
         self.add("train", &import, parameters, schedule);
         Ok(())
     }
@@ -175,19 +182,20 @@ impl Builder<'_> {
         import: &Arc<Import>,
         names: &Names,
         parameters: Vec<Parameter>,
-        same_thread: bool,
+        Kept { place, follows }: Kept,
     ) -> Result<(), PrepareError> {
         let wheelsets = roles::wheelset_count(import.interface(), names);
         check_role(import, &roles::vehicle(wheelsets), names, Role::Vehicle)?;
         let number = self.layout.vehicles.len() + 1;
         let component = format!("vehicle[{number}]");
-        let schedule = Schedule { stage: VEHICLE_STAGE, same_thread, ..Schedule::default() };
+        let schedule = Schedule { stage: VEHICLE_STAGE, place, ..Schedule::default() };
         self.add(&component, import, parameters, schedule);
         self.layout.vehicles.push(VehicleHolder {
             component,
             prefix: String::new(),
             names: names.clone(),
             wheelsets,
+            follows,
             controller: format!("controller[{number}]"),
         });
         Ok(())
@@ -316,13 +324,15 @@ impl TrainSystem {
             let Some(import) = self.imports.get(source) else {
                 return Ok(Box::new(ControllerUnit::new(name, source)));
             };
-            let (retries, same_thread) = (self.retries, schedule.same_thread);
-            let manner = Manner { retries, same_thread, tolerance: self.structure.tolerance };
-            Ok(fmi::unit(import, name, manner)?)
+            let (retries, place) = (self.retries, schedule.place);
+            let manner = Manner { retries, place, tolerance: self.structure.tolerance };
+            Ok(follow::following(&self.layout, structure, fmi::unit(import, name, manner)?))
         };
-        let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
+        let units = structure.components.iter().map(unit).collect::<Result<Vec<_>, _>>()?;
         let import = |component: &Component| self.imports.get(&component.source);
-        let mut system = compile(&with_resource_paths(structure, import), units, clock)?;
+        let mut structure = with_resource_paths(structure, import);
+        follow::connect(&self.layout, &mut structure, &units);
+        let mut system = compile(&structure, units, clock)?;
         system.set_checks(self.checks);
         limit(&self.layout, &mut system);
         Ok(system)

@@ -6,15 +6,25 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::error::PrepareError;
-use super::fmus::check_instances;
 use super::parameters::parameter;
 use super::resources;
 use super::roles::Names;
 use super::structure::Builder;
-use crate::fmi::Import;
+use crate::fmi::{Import, Origins};
+use crate::scenario::OnFailure;
+use crate::system::structure::Place;
 
 /// The names of an FMU that has ours.
 static OUR_NAMES: Names = Names::new();
+
+/// How the FMU of a vehicle is kept apart from the others.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Kept {
+    /// Where it is called.
+    pub place: Place,
+    /// Whether its vehicle follows the train if it fails.
+    pub follows: bool,
+}
 
 /// An FMU for vehicles.
 struct VehicleFmu<'s> {
@@ -29,7 +39,7 @@ impl<'a> Builder<'a> {
     pub(super) fn vehicles(&mut self) -> Result<(), PrepareError> {
         let scenario = self.scenario;
         let replacements = self.replacements()?;
-        let common = self.common(scenario.vehicle_count() - replacements.len())?;
+        let common = self.common()?;
         let mut of_type: HashMap<&str, VehicleFmu<'_>> = HashMap::new();
         let groups = scenario.train.vehicles.iter();
         let kinds = groups.flat_map(|group| std::iter::repeat_n(group.kind.as_str(), group.count));
@@ -38,18 +48,20 @@ impl<'a> Builder<'a> {
             if stated.is_none() && !of_type.contains_key(kind) {
                 of_type.insert(kind, self.of_type(kind)?);
             }
-            let mut same_thread = scenario.fmus.same_thread && stated.is_some();
+            let of_all = stated.map_or(Place::AnyThread, |_| scenario.fmus.place());
+            let mut kept = Kept { place: of_all, follows: scenario.fmus.on_failure.follows() };
             let VehicleFmu { import, names } = stated.unwrap_or_else(|| &of_type[kind]);
             let mut parameters = vec![];
             let stated = scenario.fmus.vehicle_at.iter().enumerate();
             for (i, other) in stated.filter(|(_, other)| other.vehicle == number) {
-                same_thread |= other.same_thread;
+                kept.place = kept.place.max(other.place());
+                kept.follows = other.on_failure.map_or(kept.follows, OnFailure::follows);
                 let key = format!("fmus.vehicle_at[{}].parameters", i + 1);
                 for (name, value) in &other.parameters {
                     parameters.push(parameter(import, &key, name, value)?);
                 }
             }
-            self.vehicle(import, names, parameters, same_thread)?;
+            self.vehicle(import, names, parameters, kept)?;
         }
         Ok(())
     }
@@ -63,22 +75,19 @@ impl<'a> Builder<'a> {
             let Some(file) = &other.file else { continue };
             let import = match of_file.get(file.as_path()) {
                 Some(import) => Arc::clone(import),
-                None => Import::open(file)?,
+                None => Import::unpack(file, Origins::default())?,
             };
-            let count = stated.iter().filter(|same| same.file == other.file).count();
-            check_instances(&import, count)?;
             of_file.insert(file, Arc::clone(&import));
             replacements.insert(other.vehicle, VehicleFmu { import, names: &other.names });
         }
         Ok(replacements)
     }
 
-    /// The FMU that the scenario names for all vehicles, of which there will be `count`.
-    fn common(&self, count: usize) -> Result<Option<VehicleFmu<'a>>, PrepareError> {
+    /// The FMU that the scenario names for all vehicles.
+    fn common(&self) -> Result<Option<VehicleFmu<'a>>, PrepareError> {
         let fmus = &self.scenario.fmus;
         let Some(file) = &fmus.vehicle else { return Ok(None) };
-        let import = Import::open(file)?;
-        check_instances(&import, count)?;
+        let import = Import::unpack(file, Origins::default())?;
         Ok(Some(VehicleFmu { import, names: &fmus.vehicle_names }))
     }
 

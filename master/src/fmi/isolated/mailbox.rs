@@ -9,21 +9,28 @@ use memmap2::{MmapOptions, MmapRaw};
 use rustix::fs::Timespec;
 use rustix::thread::futex;
 
-/// Words that a request or an answer may hold.
-pub const WORDS: usize = 8192;
+/// Bytes of a word.
+const WORD: usize = size_of::<u64>();
 /// Looks at a counter before the thread sleeps: about the time of a short step.
 const LOOKS: u32 = 2000;
 
-/// All that is shared. All zeros is the state before the first request.
+/// What stands before the bytes of a request or an answer. All zeros is the state before the first request.
 #[repr(C)]
-struct Content {
+struct Head {
     /// Number of the last request.
     asked: AtomicU32,
     /// Number of the last request that has an answer.
     answered: AtomicU32,
-    /// Number of words that are meant.
-    length: AtomicU32,
-    words: [AtomicU64; WORDS],
+    /// Number of bytes that are meant.
+    length: AtomicU64,
+}
+
+/// A request or an answer is longer than the memory.
+#[derive(Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{length} bytes are more than the {room} that are shared with the process of the FMU")]
+pub struct TooLong {
+    length: usize,
+    room: usize,
 }
 
 /// One side of the memory. Only atomics are shared, so that what the other side writes at the wrong
@@ -33,12 +40,12 @@ pub struct Mailbox {
 }
 
 impl Mailbox {
-    /// Gives the file its length and maps it.
+    /// Gives the file its length, for requests and answers of so many bytes, and maps it.
     ///
     /// # Errors
     /// When there is no room.
-    pub fn create(file: &File) -> io::Result<Self> {
-        file.set_len(size_of::<Content>() as u64)?;
+    pub fn create(file: &File, room: usize) -> io::Result<Self> {
+        file.set_len((size_of::<Head>() + room.next_multiple_of(WORD)) as u64)?;
         Self::open(file)
     }
 
@@ -47,63 +54,85 @@ impl Mailbox {
     /// # Errors
     /// When the file is too short or cannot be mapped.
     pub fn open(file: &File) -> io::Result<Self> {
-        if file.metadata()?.len() < size_of::<Content>() as u64 {
+        let length = usize::try_from(file.metadata()?.len()).unwrap_or(0);
+        if length < size_of::<Head>() {
             return Err(io::ErrorKind::UnexpectedEof.into());
         }
-        MmapOptions::new().len(size_of::<Content>()).map_raw(file).map(|map| Self { map })
+        MmapOptions::new().len(length).map_raw(file).map(|map| Self { map })
     }
 
-    fn content(&self) -> &Content {
-        // SAFETY: the map is as long as the content and begins at a page of memory; the content consists
+    fn head(&self) -> &Head {
+        // SAFETY: the map is at least as long as the head and begins at a page of memory; the head consists
         // of atomics, for which all bits are valid, and nobody cuts the file.
-        unsafe { &*self.map.as_ptr().cast::<Content>() }
+        unsafe { &*self.map.as_ptr().cast::<Head>() }
+    }
+
+    fn words(&self) -> &[AtomicU64] {
+        let count = (self.map.len() - size_of::<Head>()) / WORD;
+        // SAFETY: so many words lie behind the head, whose length is a multiple of theirs; for atomics all
+        // bits are valid, and nobody cuts the file.
+        unsafe {
+            let begin = self.map.as_ptr().add(size_of::<Head>()).cast::<AtomicU64>();
+            std::slice::from_raw_parts(begin, count)
+        }
     }
 
     /// Asks; the answer is to be awaited before the next request.
     ///
-    /// # Panics
-    /// When there are more than [`WORDS`] words.
-    pub fn ask(&self, words: &[u64]) {
-        self.write(words);
-        tell(&self.content().asked);
+    /// # Errors
+    /// When there is no room for it.
+    pub fn ask(&self, bytes: &[u8]) -> Result<(), TooLong> {
+        self.write(bytes)?;
+        tell(&self.head().asked);
+        Ok(())
     }
 
     /// The answer to the last request, or none after `limit`.
-    pub fn answer(&self, limit: Duration) -> Option<Vec<u64>> {
-        let Content { asked, answered, .. } = self.content();
+    pub fn answer(&self, limit: Duration) -> Option<Vec<u8>> {
+        let Head { asked, answered, .. } = self.head();
         let before = asked.load(Ordering::Relaxed).wrapping_sub(1);
         changed(answered, before, limit).then(|| self.read())
     }
 
     /// The next request, or none after `limit`.
-    pub fn request(&self, limit: Duration) -> Option<Vec<u64>> {
-        let Content { asked, answered, .. } = self.content();
+    pub fn request(&self, limit: Duration) -> Option<Vec<u8>> {
+        let Head { asked, answered, .. } = self.head();
         changed(asked, answered.load(Ordering::Relaxed), limit).then(|| self.read())
     }
 
     /// Answers the last request.
     ///
-    /// # Panics
-    /// When there are more than [`WORDS`] words.
-    pub fn reply(&self, words: &[u64]) {
-        self.write(words);
-        tell(&self.content().answered);
+    /// # Errors
+    /// When there is no room for it.
+    pub fn reply(&self, bytes: &[u8]) -> Result<(), TooLong> {
+        self.write(bytes)?;
+        tell(&self.head().answered);
+        Ok(())
     }
 
-    fn write(&self, words: &[u64]) {
-        assert!(words.len() <= WORDS, "{} words, of which {WORDS} have room", words.len());
-        let content = self.content();
-        content.length.store(words.len() as u32, Ordering::Relaxed);
-        for (shared, word) in content.words.iter().zip(words) {
-            shared.store(*word, Ordering::Relaxed);
+    fn write(&self, bytes: &[u8]) -> Result<(), TooLong> {
+        let words = self.words();
+        let (length, room) = (bytes.len(), words.len() * WORD);
+        if length > room {
+            return Err(TooLong { length, room });
         }
+        self.head().length.store(length as u64, Ordering::Relaxed);
+        for (shared, chunk) in words.iter().zip(bytes.chunks(WORD)) {
+            let mut word = [0; WORD];
+            word[..chunk.len()].copy_from_slice(chunk);
+            shared.store(u64::from_ne_bytes(word), Ordering::Relaxed);
+        }
+        Ok(())
     }
 
     /// What lies there; a length beyond the room, which only damage can state, is cut.
-    fn read(&self) -> Vec<u64> {
-        let content = self.content();
-        let length = content.length.load(Ordering::Relaxed) as usize;
-        content.words.iter().take(length).map(|word| word.load(Ordering::Relaxed)).collect()
+    fn read(&self) -> Vec<u8> {
+        let words = self.words();
+        let stated = usize::try_from(self.head().length.load(Ordering::Relaxed));
+        let length = stated.unwrap_or(usize::MAX).min(words.len() * WORD);
+        let shared = &words[..length.div_ceil(WORD)];
+        let bytes = shared.iter().flat_map(|word| word.load(Ordering::Relaxed).to_ne_bytes());
+        bytes.take(length).collect()
     }
 }
 
@@ -145,24 +174,32 @@ mod tests {
     #[test]
     fn each_request_has_its_answer_and_silence_is_noticed() {
         let file = tempfile::tempfile().unwrap();
-        let (master, worker) = (Mailbox::create(&file).unwrap(), Mailbox::open(&file).unwrap());
+        let (master, worker) =
+            (Mailbox::create(&file, 100).unwrap(), Mailbox::open(&file).unwrap());
         let serving = std::thread::spawn(move || {
             for _ in 0..1000 {
-                let request = worker.request(LONG).unwrap();
-                worker.reply(&request.iter().map(|word| word + 1).collect::<Vec<_>>());
+                let mut request = worker.request(LONG).unwrap();
+                request.reverse();
+                worker.reply(&request).unwrap();
             }
         });
-        for number in 0..1000_u64 {
-            master.ask(&[number, u64::MAX - 1]);
-            assert_eq!(master.answer(LONG).unwrap(), [number + 1, u64::MAX]);
+        for number in 0..1000_u16 {
+            let text: Vec<u8> = (0..number % 101).map(|byte| byte as u8).collect();
+            master.ask(&text).unwrap();
+            let answer = master.answer(LONG).unwrap();
+            assert!(answer.iter().rev().eq(&text), "{number}");
         }
         serving.join().unwrap();
-        master.ask(&[0]);
+        master.ask(&[0]).unwrap();
         assert_eq!(master.answer(Duration::from_millis(20)), None);
     }
 
     #[test]
-    fn a_file_that_is_too_short_is_refused() {
+    fn what_has_no_room_is_refused() {
+        let file = tempfile::tempfile().unwrap();
+        let mailbox = Mailbox::create(&file, 16).unwrap();
+        assert_eq!(mailbox.ask(&[1; 17]), Err(TooLong { length: 17, room: 16 }));
+        assert!(mailbox.ask(&[1; 16]).is_ok());
         assert!(Mailbox::open(&tempfile::tempfile().unwrap()).is_err());
     }
 }

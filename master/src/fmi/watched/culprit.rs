@@ -41,6 +41,17 @@ pub enum EndedBy {
     SignalFromOutside(i32),
 }
 
+/// What a crash is, with the name of its signal.
+pub fn crash_name(signal: i32) -> &'static str {
+    match signal {
+        6 => "abort (SIGABRT)",
+        7 | 10 => "a memory error (SIGBUS)",
+        11 => "a memory error (SIGSEGV)",
+        8 => "an arithmetic error (SIGFPE)",
+        _ => "an illegal instruction (SIGILL)",
+    }
+}
+
 /// The thread that has ended the program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Culprit {

@@ -20,7 +20,9 @@ mod slot;
 
 pub(super) use calling::{call_until_the_end, calling, label};
 pub use calling::{own, watch};
-pub use culprit::{Culprit, EndedBy};
+pub use culprit::{Culprit, EndedBy, crash_name};
 pub(super) use labels::Label;
-pub use page::Page;
+#[cfg(target_os = "linux")]
+pub(super) use page::shared_file;
+pub use page::{Limit, Page};
 pub use slot::Call;

@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::time::Duration;
 
 use memmap2::{MmapOptions, MmapRaw};
 
@@ -30,9 +31,33 @@ struct Content {
     time: AtomicU64,
     /// Number of slots that are taken.
     threads: AtomicU32,
+    /// Bits of the longest times that calls may take, s; 0: any.
+    limits: [AtomicU64; 3],
     record: Record,
     slots: [Slot; THREADS],
     labels: Labels,
+}
+
+/// Which calls may take so long.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Limit {
+    /// Those until the first step: loading, instantiation, initialisation.
+    Start,
+    /// Those of a step.
+    Step,
+    /// Those after the last step.
+    End,
+}
+
+impl Limit {
+    /// The option of the command line that sets it.
+    pub fn option(self) -> &'static str {
+        match self {
+            Self::Start => "--start-limit",
+            Self::Step => "--step-limit",
+            Self::End => "--end-limit",
+        }
+    }
 }
 
 /// What a run and its parent share.
@@ -114,6 +139,19 @@ impl Page {
         self.content().records.load(Ordering::Acquire)
     }
 
+    /// Says how long calls may take, s; 0: as long as they want. It is for the calls in processes of their
+    /// own; those of this process are limited by its parent.
+    pub fn set_limit(&self, limit: Limit, seconds: f64) {
+        self.content().limits[limit as usize].store(seconds.to_bits(), Ordering::Relaxed);
+    }
+
+    /// How long calls may take.
+    pub fn limit(&self, limit: Limit) -> Option<Duration> {
+        let bits = self.content().limits[limit as usize].load(Ordering::Relaxed);
+        let limit = Duration::try_from_secs_f64(f64::from_bits(bits));
+        limit.ok().filter(|limit| !limit.is_zero())
+    }
+
     /// Who has ended the process, if it was one of its threads.
     pub fn culprit(&self) -> Option<Culprit> {
         self.content().record.culprit()
@@ -146,8 +184,11 @@ impl Page {
 }
 
 /// Memory as a file, which the child opens under the path of this process's descriptor.
+///
+/// # Errors
+/// When the system gives none.
 #[cfg(target_os = "linux")]
-fn shared_file(_: &Path) -> io::Result<(File, PathBuf)> {
+pub(in crate::fmi) fn shared_file(_: &Path) -> io::Result<(File, PathBuf)> {
     use std::os::fd::AsRawFd;
 
     use rustix::fs::{MemfdFlags, memfd_create};

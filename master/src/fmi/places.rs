@@ -1,0 +1,73 @@
+//! Where the FMUs of a structure are called, and the loading of those that run in this process.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::import::{Import, ImportError};
+use crate::system::structure::{Component, Place};
+
+/// Stands for all components where those that are to be isolated are named.
+const ALL: &str = "all";
+
+/// Puts the components of these names, or all if one is `all`, into processes of their own; `is_fmu` tells
+/// which of them are FMUs.
+///
+/// # Errors
+/// A sentence if there is no such FMU.
+pub fn isolate(
+    components: &mut [Component],
+    names: &[String],
+    is_fmu: impl Fn(&Component) -> bool,
+) -> Result<(), String> {
+    let fmus = || components.iter().filter(|component| is_fmu(component));
+    for name in names {
+        if name != ALL && !fmus().any(|component| component.name == *name) {
+            let known: Vec<_> = fmus().map(|component| component.name.as_str()).collect();
+            let known = known.join(", ");
+            return Err(format!(
+                "--isolate {name}: there is no such FMU; there are {known}, and all"
+            ));
+        }
+    }
+    for component in components.iter_mut().filter(|component| is_fmu(component)) {
+        if names.iter().any(|name| name == ALL || *name == component.name) {
+            component.schedule.place = Place::OwnProcess;
+        }
+    }
+    Ok(())
+}
+
+/// Puts the instances of an FMU that allows one a process into processes of their own where there are
+/// several, and loads the FMUs that run in this process. Gives what the user should know, in sentences.
+///
+/// # Errors
+/// When a binary cannot be loaded.
+pub fn load<'i>(
+    components: &mut [Component],
+    import: impl Fn(&Component) -> Option<&'i Arc<Import>>,
+) -> Result<Vec<String>, ImportError> {
+    let mut here: BTreeMap<&str, (&Import, Vec<&mut Component>)> = BTreeMap::new();
+    for component in components {
+        let Some(import) = import(component) else { continue };
+        if component.schedule.place != Place::OwnProcess {
+            let (_, instances) = here.entry(import.file()).or_insert((import, vec![]));
+            instances.push(component);
+        }
+    }
+    let mut notes = vec![];
+    for (file, (import, instances)) in here {
+        if !import.interface().once_per_process || instances.len() == 1 {
+            import.load()?;
+            continue;
+        }
+        notes.push(format!(
+            "{file} allows only one instance in a process (canBeInstantiatedOnlyOncePerProcess): its {} \
+             instances run in processes of their own",
+            instances.len()
+        ));
+        for component in instances {
+            component.schedule.place = Place::OwnProcess;
+        }
+    }
+    Ok(notes)
+}
