@@ -37,7 +37,7 @@ pub use interface::Interface;
 pub use run::error::RunError;
 pub use run::{Finished, Options, run};
 pub use system::checks::Checks;
-pub use system::structure::{Place, Structure};
+pub use system::structure::{Home, Structure};
 pub use system::unit::{Unit, UnitError};
 pub use train::fmus::Folders;
 pub use train::roles::{self, Role};

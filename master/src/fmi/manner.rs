@@ -7,7 +7,7 @@ use super::import::Import;
 use super::instance::FmuInstance;
 #[cfg(target_os = "linux")]
 use super::isolated::Isolated;
-use crate::system::structure::Place;
+use crate::system::structure::Home;
 use crate::system::unit::{Unit, UnitError};
 
 /// How an instance is called.
@@ -16,7 +16,7 @@ pub struct Manner {
     /// Whether a step that it discards is tried again in parts.
     pub retries: bool,
     /// Where it is made, called and freed.
-    pub place: Place,
+    pub home: Home,
     /// Relative tolerance of its solver; none: what its FMU proposes.
     pub tolerance: Option<f64>,
 }
@@ -31,13 +31,13 @@ pub fn unit(import: &Arc<Import>, name: &str, manner: Manner) -> Result<Box<dyn 
         let instance = FmuInstance::new(&own, &own_name)?.with_tolerance(manner.tolerance);
         Ok(if manner.retries { instance.retrying() } else { instance })
     };
-    Ok(match manner.place {
-        Place::AnyThread => Box::new(make()?),
-        Place::OwnThread => Box::new(AtHome::new(import, name, make)?),
+    Ok(match manner.home {
+        Home::AnyThread => Box::new(make()?),
+        Home::OwnThread => Box::new(AtHome::new(import, name, make)?),
         #[cfg(target_os = "linux")]
-        Place::OwnProcess => Box::new(Isolated::new(import, name, manner)?),
+        Home::OwnProcess => Box::new(Isolated::new(import, name, (manner.tolerance, manner.retries))?),
         #[cfg(not(target_os = "linux"))]
-        Place::OwnProcess => return Err(not_here(import, name)),
+        Home::OwnProcess => return Err(not_here(import, name)),
     })
 }
 

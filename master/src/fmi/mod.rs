@@ -16,7 +16,7 @@
 //! | `manner.rs`, `home.rs` | how an instance is called: on a thread of its own |
 //! | `resource_paths.rs` | texts that name files in an FMU's own resources |
 //! | `step.rs` | the step, and what each status of it means |
-//! | `places.rs` | which FMUs run in this process and which in their own |
+//! | `homes.rs` | which FMUs run in this process and which in their own |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
 //!
@@ -40,7 +40,7 @@ mod manner;
 mod messages;
 mod origins;
 pub mod pack;
-pub mod places;
+pub mod homes;
 mod resource_paths;
 mod step;
 mod unit;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::scenario::Times;
 use crate::system::checks::Checks;
-use crate::system::structure::Place;
+use crate::system::structure::Home;
 
 /// How a scenario or a package is run.
 #[derive(Debug, Clone, Default)]
@@ -29,7 +29,7 @@ pub struct Options {
 
 impl Options {
     /// Where FMUs are called at least.
-    pub(super) fn place(&self) -> Place {
-        if self.same_thread { Place::OwnThread } else { Place::AnyThread }
+    pub(super) fn home(&self) -> Home {
+        if self.same_thread { Home::OwnThread } else { Home::AnyThread }
     }
 }

@@ -38,11 +38,11 @@ pub(crate) fn setup(
 ) -> Result<Setup, RunError> {
     let (folder, mut structure) = source::read(path, &results.join("package"))?;
     for component in &mut structure.components {
-        component.schedule.place = component.schedule.place.max(options.place());
+        component.schedule.home = component.schedule.home.max(options.home());
     }
     let file = path.display().to_string();
     let imports = ssp::imports(&structure, &folder, &file)?;
-    ssp::place(&mut structure, &imports, &options.isolate, &file)?;
+    ssp::settle(&mut structure, &imports, &options.isolate, &file)?;
     ssp::leave_out_unmatched(&mut structure, &imports);
     structure.tolerance = options.tolerance;
     if let ([component], None) = (structure.components.as_slice(), structure.stop) {

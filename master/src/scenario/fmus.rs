@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::value::Value;
-use crate::system::structure::Place;
+use crate::system::structure::Home;
 
 /// FMUs that replace Hotfoot's own.
 #[derive(Debug, Clone, Default, Deserialize, Serialize, JsonSchema, Validate)]
@@ -84,23 +84,23 @@ impl OnFailure {
 
 impl Fmus {
     /// Where the FMUs that are named here are called.
-    pub fn place(&self) -> Place {
-        place(self.isolate, self.same_thread)
+    pub fn home(&self) -> Home {
+        home(self.isolate, self.same_thread)
     }
 }
 
 impl VehicleReplacement {
     /// Where its FMU is called at least.
-    pub fn place(&self) -> Place {
-        place(self.isolate, self.same_thread)
+    pub fn home(&self) -> Home {
+        home(self.isolate, self.same_thread)
     }
 }
 
-fn place(isolate: Option<Isolate>, same_thread: bool) -> Place {
+fn home(isolate: Option<Isolate>, same_thread: bool) -> Home {
     match (isolate, same_thread) {
-        (Some(Isolate::Process), _) => Place::OwnProcess,
-        (None, true) => Place::OwnThread,
-        (None, false) => Place::AnyThread,
+        (Some(Isolate::Process), _) => Home::OwnProcess,
+        (None, true) => Home::OwnThread,
+        (None, false) => Home::AnyThread,
     }
 }
 

@@ -27,6 +27,6 @@ mod xml;
 mod structure_tests;
 
 pub use error::SspError;
-pub use open::{Imports, imports, leave_out_unmatched, open, place};
+pub use open::{Imports, imports, leave_out_unmatched, open, settle};
 pub use read::{STRUCTURE_FILE, read};
 pub use write::write;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::error::SspError;
 use super::package::path_of;
-use crate::fmi::{self, Import, Manner, Origins, places, with_resource_paths};
+use crate::fmi::{self, Import, Manner, Origins, homes, with_resource_paths};
 use crate::system::clock::Clock;
 use crate::system::compile::{CompileError, compile};
 use crate::system::step::System;
@@ -30,8 +30,8 @@ pub fn open(
     let structure = with_resource_paths(structure, |component| imports.get(&component.source));
     let unit = |component: &Component| -> Result<Box<dyn Unit>, SspError> {
         let import = &imports[&component.source];
-        let (place, tolerance) = (component.schedule.place, structure.tolerance);
-        let manner = Manner { place, tolerance, ..Manner::default() };
+        let (home, tolerance) = (component.schedule.home, structure.tolerance);
+        let manner = Manner { home, tolerance, ..Manner::default() };
         Ok(fmi::unit(import, &component.name, manner)?)
     };
     let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
@@ -41,8 +41,9 @@ pub fn open(
     })
 }
 
-/// Every FMU once, however many components use it, without running its code; `package` is the folder of the
-/// unpacked package.
+/// Every FMU once, however many components use it, without running its code.
+///
+/// `package` is the folder of the unpacked package.
 ///
 /// # Errors
 /// When one is missing or cannot be used.
@@ -66,12 +67,13 @@ pub fn imports(structure: &Structure, package: &Path, file: &str) -> Result<Impo
     Ok(imports)
 }
 
-/// Puts the FMUs of components of the names in `isolated`, and those that need it, into processes of their
-/// own, and loads the others.
+/// Loads the FMUs that run in this process.
+///
+/// Those of components in `isolated` and those that need it run in processes of their own.
 ///
 /// # Errors
 /// When there is no component of that name, or an FMU cannot be loaded.
-pub fn place(
+pub fn settle(
     structure: &mut Structure,
     imports: &Imports,
     isolated: &[String],
@@ -79,8 +81,8 @@ pub fn place(
 ) -> Result<(), SspError> {
     let Structure { components, notes, .. } = structure;
     let unfit = |problem| SspError::Unfit { file: file.to_owned(), problems: vec![problem] };
-    places::isolate(components, isolated, |_| true).map_err(unfit)?;
-    notes.extend(places::load(components, |component| imports.get(&component.source))?);
+    homes::isolate(components, isolated, |_| true).map_err(unfit)?;
+    notes.extend(homes::load(components, |component| imports.get(&component.source))?);
     Ok(())
 }
 

@@ -22,7 +22,7 @@ use serde::Serialize;
 
 use super::error::SspError;
 use super::xml::{XmlFile, child, children};
-use crate::system::structure::{Place, Sampling, Schedule, Structure};
+use crate::system::structure::{Home, Sampling, Schedule, Structure};
 
 /// The namespace of the annotations.
 pub const NAMESPACE: &str = "urn:hotfoot:ssp";
@@ -95,10 +95,10 @@ impl<'a> Annotation<'a> {
         let stated = samplings.iter().filter(|_| schedule.every > 1);
         let stated = stated.filter(|(_, sampling)| *sampling != Sampling::default());
         let inputs = stated.map(|&(name, sampling)| Input { name, sampling: name_of(sampling) });
-        let Schedule { stage, every, place } = schedule;
+        let Schedule { stage, every, home } = schedule;
         let inputs = inputs.collect();
-        let same_thread = place == Place::OwnThread;
-        let isolate = (place == Place::OwnProcess).then_some(PROCESS);
+        let same_thread = home == Home::OwnThread;
+        let isolate = (home == Home::OwnProcess).then_some(PROCESS);
         let schedule = ScheduleElement { stage, every, same_thread, isolate, inputs };
         Some(Self { kind: SCHEDULE_TYPE, schedule })
     }
@@ -149,15 +149,15 @@ pub fn read(
         samplings.push((file.required(input, "name")?.to_owned(), sampling.1));
     }
     let same_thread = file.value(node, "sameThread")?.unwrap_or(false);
-    let place = match node.attribute("isolate") {
-        Some(PROCESS) => Place::OwnProcess,
+    let home = match node.attribute("isolate") {
+        Some(PROCESS) => Home::OwnProcess,
         Some(other) => {
             return Err(file.wrong(node, format!("isolate=\"{other}\" must be {PROCESS}")));
         }
-        None if same_thread => Place::OwnThread,
-        None => Place::AnyThread,
+        None if same_thread => Home::OwnThread,
+        None => Home::AnyThread,
     };
-    Ok((Schedule { stage, every, place }, samplings))
+    Ok((Schedule { stage, every, home }, samplings))
 }
 
 /// A file that names a stage of a high number would take memory for all before it.

@@ -81,7 +81,7 @@ impl Part {
     /// # Errors
     /// When the unit fails.
     pub(super) fn begin(&mut self, clock: Clock, k: u64) -> Result<(), UnitError> {
-        if !self.unit.is_apart() || !self.is_due(k) {
+        if !self.unit.is_separate() || !self.is_due(k) {
             return Ok(());
         }
         self.form_means();

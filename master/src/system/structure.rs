@@ -55,12 +55,12 @@ pub struct Schedule {
     /// It steps at every so many communication points.
     pub every: u64,
     /// Where its FMU is called.
-    pub place: Place,
+    pub home: Home,
 }
 
 /// Where an FMU is made, called and freed; what comes later keeps it further from the others.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Place {
+pub enum Home {
     /// On any thread of the run.
     #[default]
     AnyThread,
@@ -73,7 +73,7 @@ pub enum Place {
 impl Default for Schedule {
     /// With all others, at every communication point.
     fn default() -> Self {
-        Self { stage: 0, every: 1, place: Place::AnyThread }
+        Self { stage: 0, every: 1, home: Home::AnyThread }
     }
 }
 

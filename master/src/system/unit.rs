@@ -58,7 +58,7 @@ pub trait Unit: Send {
     }
 
     /// Whether it computes elsewhere, so that a step that was begun goes on while others step.
-    fn is_apart(&self) -> bool {
+    fn is_separate(&self) -> bool {
         false
     }
 

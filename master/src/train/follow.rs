@@ -13,7 +13,7 @@ use crate::interface::range::Range;
 use crate::interface::si::Linear;
 use crate::interface::{Interface, Variable, VariableType};
 use crate::system::clock::shown;
-use crate::system::structure::{Connection, Endpoint, Place, Sampling, Structure};
+use crate::system::structure::{Connection, Endpoint, Home, Sampling, Structure};
 use crate::system::unit::{Unit, UnitError};
 
 /// What such a vehicle is told of its motion in the train, in m and m/s: the train's names and its own.
@@ -26,11 +26,11 @@ fn followers<'a>(
     layout: &'a Layout,
     structure: &'a Structure,
 ) -> impl Iterator<Item = (usize, &'a VehicleHolder)> {
-    let apart = |holder: &VehicleHolder| {
+    let is_separate = |holder: &VehicleHolder| {
         let own = structure.components.iter().find(|own| own.name == holder.component);
-        own.is_some_and(|own| own.schedule.place == Place::OwnProcess)
+        own.is_some_and(|own| own.schedule.home == Home::OwnProcess)
     };
-    (1..).zip(&layout.vehicles).filter(move |(_, holder)| holder.follows && apart(holder))
+    (1..).zip(&layout.vehicles).filter(move |(_, holder)| holder.follows && is_separate(holder))
 }
 
 /// Lets the vehicles that may have to follow the train know its motion; `units` are all components.
@@ -223,7 +223,7 @@ impl Unit for Following {
         &self.interface
     }
 
-    fn is_apart(&self) -> bool {
+    fn is_separate(&self) -> bool {
         !self.follows
     }
 
@@ -241,7 +241,7 @@ impl Unit for Following {
     fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), UnitError> {
         let (mut own, mut own_values) = (vec![], vec![]);
         for (&reference, &value) in references.iter().zip(values) {
-            match self.references.iter().position(|told| *told == reference) {
+            match self.references.iter().position(|own| *own == reference) {
                 Some(which) => self.motion[which] = value,
                 None => {
                     own.push(reference);

@@ -13,7 +13,7 @@ use crate::fmi::{Import, Origins};
 use crate::interface::Interface;
 use crate::scenario::{Heat, Scenario};
 use crate::system::step::System;
-use crate::system::structure::{Parameter, Place, Schedule, Value};
+use crate::system::structure::{Parameter, Home, Schedule, Value};
 use crate::system::unit::UnitError;
 
 /// Distance of each rail to the right of the track's middle on standard gauge, m.
@@ -40,8 +40,8 @@ impl Builder<'_> {
             };
             let parameters = self.rail_parameters(heat, side, &import)?;
             let fmus = &self.scenario.fmus;
-            let place = fmus.railheat.as_ref().map_or(Place::AnyThread, |_| fmus.place());
-            let schedule = Schedule { stage: RAIL_STAGE, every, place };
+            let home = fmus.railheat.as_ref().map_or(Home::AnyThread, |_| fmus.home());
+            let schedule = Schedule { stage: RAIL_STAGE, every, home };
             self.add(&component, &import, parameters, schedule);
             self.layout.rails.push(RailHolder { component, side });
         }

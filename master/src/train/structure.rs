@@ -15,9 +15,8 @@ use super::layout::{Layout, VehicleHolder};
 use super::limits::limit;
 use super::resources;
 use super::roles::{self, Names, Role};
-use super::vehicles::Kept;
 use super::wiring::connections;
-use crate::fmi::{self, Import, Manner, Origins, places, with_resource_paths};
+use crate::fmi::{self, Import, Manner, Origins, homes, with_resource_paths};
 use crate::interface::Interface;
 use crate::scenario::{Scenario, Scheme};
 use crate::system::checks::Checks;
@@ -25,7 +24,7 @@ use crate::system::clock::Clock;
 use crate::system::compile::compile;
 use crate::system::start::StartError;
 use crate::system::step::System;
-use crate::system::structure::{Component, Parameter, Place, Schedule, Structure, Value};
+use crate::system::structure::{Component, Parameter, Home, Schedule, Structure, Value};
 use crate::system::unit::{Unit, terminate};
 
 /// File of the controller's FMU.
@@ -95,9 +94,9 @@ pub fn of_scenario(scenario: &Scenario, folders: &Folders) -> Result<TrainSystem
     structure.connections = connections(&layout, &interfaces);
     let isolated = &scenario.fmus.isolated;
     let is_fmu = |component: &Component| imports.contains_key(&component.source);
-    places::isolate(&mut structure.components, isolated, is_fmu)
+    homes::isolate(&mut structure.components, isolated, is_fmu)
         .map_err(PrepareError::Component)?;
-    structure.notes = places::load(&mut structure.components, |own| imports.get(&own.source))?;
+    structure.notes = homes::load(&mut structure.components, |own| imports.get(&own.source))?;
     let (retries, checks) =
         (scenario.fmus.retry_discarded_steps, scenario.checks.unwrap_or_default());
     Ok(TrainSystem { structure, layout, imports, retries, checks })
@@ -170,25 +169,27 @@ impl Builder<'_> {
         }
         self.layout.train = "train".to_owned();
         let fmus = &self.scenario.fmus;
-        let place = fmus.longitudinal.as_ref().map_or(Place::AnyThread, |_| fmus.place());
-        let schedule = Schedule { stage: TRAIN_STAGE, place, ..Schedule::default() };
+        let home = fmus.longitudinal.as_ref().map_or(Home::AnyThread, |_| fmus.home());
+        let schedule = Schedule { stage: TRAIN_STAGE, home, ..Schedule::default() };
         self.add("train", &import, parameters, schedule);
         Ok(())
     }
 
     /// Adds a vehicle that a component of its own holds.
+    ///
+    /// Its FMU is called at this home, and it follows the train if that fails, or not.
     pub(super) fn vehicle(
         &mut self,
         import: &Arc<Import>,
         names: &Names,
         parameters: Vec<Parameter>,
-        Kept { place, follows }: Kept,
+        (home, follows): (Home, bool),
     ) -> Result<(), PrepareError> {
         let wheelsets = roles::wheelset_count(import.interface(), names);
         check_role(import, &roles::vehicle(wheelsets), names, Role::Vehicle)?;
         let number = self.layout.vehicles.len() + 1;
         let component = format!("vehicle[{number}]");
-        let schedule = Schedule { stage: VEHICLE_STAGE, place, ..Schedule::default() };
+        let schedule = Schedule { stage: VEHICLE_STAGE, home, ..Schedule::default() };
         self.add(&component, import, parameters, schedule);
         self.layout.vehicles.push(VehicleHolder {
             component,
@@ -324,8 +325,8 @@ impl TrainSystem {
             let Some(import) = self.imports.get(source) else {
                 return Ok(Box::new(ControllerUnit::new(name, source)));
             };
-            let (retries, place) = (self.retries, schedule.place);
-            let manner = Manner { retries, place, tolerance: self.structure.tolerance };
+            let (retries, home) = (self.retries, schedule.home);
+            let manner = Manner { retries, home, tolerance: self.structure.tolerance };
             Ok(follow::following(&self.layout, structure, fmi::unit(import, name, manner)?))
         };
         let units = structure.components.iter().map(unit).collect::<Result<Vec<_>, _>>()?;

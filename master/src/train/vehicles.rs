@@ -12,19 +12,10 @@ use super::roles::Names;
 use super::structure::Builder;
 use crate::fmi::{Import, Origins};
 use crate::scenario::OnFailure;
-use crate::system::structure::Place;
+use crate::system::structure::Home;
 
 /// The names of an FMU that has ours.
 static OUR_NAMES: Names = Names::new();
-
-/// How the FMU of a vehicle is kept apart from the others.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Kept {
-    /// Where it is called.
-    pub place: Place,
-    /// Whether its vehicle follows the train if it fails.
-    pub follows: bool,
-}
 
 /// An FMU for vehicles.
 struct VehicleFmu<'s> {
@@ -48,20 +39,20 @@ impl<'a> Builder<'a> {
             if stated.is_none() && !of_type.contains_key(kind) {
                 of_type.insert(kind, self.of_type(kind)?);
             }
-            let of_all = stated.map_or(Place::AnyThread, |_| scenario.fmus.place());
-            let mut kept = Kept { place: of_all, follows: scenario.fmus.on_failure.follows() };
+            let of_all = stated.map_or(Home::AnyThread, |_| scenario.fmus.home());
+            let (mut home, mut follows) = (of_all, scenario.fmus.on_failure.follows());
             let VehicleFmu { import, names } = stated.unwrap_or_else(|| &of_type[kind]);
             let mut parameters = vec![];
             let stated = scenario.fmus.vehicle_at.iter().enumerate();
             for (i, other) in stated.filter(|(_, other)| other.vehicle == number) {
-                kept.place = kept.place.max(other.place());
-                kept.follows = other.on_failure.map_or(kept.follows, OnFailure::follows);
+                home = home.max(other.home());
+                follows = other.on_failure.map_or(follows, OnFailure::follows);
                 let key = format!("fmus.vehicle_at[{}].parameters", i + 1);
                 for (name, value) in &other.parameters {
                     parameters.push(parameter(import, &key, name, value)?);
                 }
             }
-            self.vehicle(import, names, parameters, kept)?;
+            self.vehicle(import, names, parameters, (home, follows))?;
         }
         Ok(())
     }

@@ -14,8 +14,9 @@ use super::message::{Answer, Request};
 use super::worker::COMMAND;
 use crate::fmi::watched::{self, Limit, Page, shared_file};
 
-/// What a thread of the run does, for its parent, while it waits for such a process. The process has the
-/// limits of its calls, so the waiting has none.
+/// What a thread of the run does, as its parent sees it, while it waits for such a process.
+///
+/// The run limits the calls of the process, so its parent does not limit the waiting.
 pub const WAITING: &CStr = c"a call in its own process";
 
 /// Time between two looks whether the process still lives, while it gives no answer.
@@ -109,8 +110,8 @@ impl Process {
     }
 
     /// Ends the process, and gives what is told of it as it was before.
-    fn kill(&mut self, told: impl FnOnce(&Page) -> Death) -> Death {
-        let death = told(&self.page);
+    fn kill(&mut self, death: impl FnOnce(&Page) -> Death) -> Death {
+        let death = death(&self.page);
         let _ = self.child.kill();
         let _ = self.child.wait();
         death

@@ -12,7 +12,6 @@ use super::message::{Answer, Call, Failure, Given, Instance, Request};
 use super::process::{Process, WAITING};
 use crate::fmi::binding::known_status;
 use crate::fmi::import::Import;
-use crate::fmi::manner::Manner;
 use crate::fmi::messages::Messages;
 use crate::fmi::watched::{Label, Limit, calling, label};
 use crate::interface::Interface;
@@ -65,9 +64,16 @@ const GETS: [fn(Vec<u32>) -> Call; 3] = [Call::GetReals, Call::GetIntegers, Call
 impl Isolated {
     /// Makes an instance in a new process.
     ///
+    /// It has a relative tolerance, or none for that which the FMU proposes, and tries a step that the FMU
+    /// discards again in parts, or not.
+    ///
     /// # Errors
     /// When the FMU refuses, or its process cannot be started or has ended.
-    pub fn new(import: &Arc<Import>, name: &str, manner: Manner) -> Result<Self, UnitError> {
+    pub fn new(
+        import: &Arc<Import>,
+        name: &str,
+        (tolerance, retries): (Option<f64>, bool),
+    ) -> Result<Self, UnitError> {
         let subject = format!("{name} ({})", import.file());
         let mut isolated = Self {
             name: name.to_owned(),
@@ -91,8 +97,8 @@ impl Isolated {
             file: import.file().to_owned(),
             folder: import.folder().to_owned(),
             name: name.to_owned(),
-            tolerance: manner.tolerance,
-            retries: manner.retries,
+            tolerance,
+            retries,
         }))?;
         isolated.receive()?;
         Ok(isolated)
@@ -205,7 +211,7 @@ impl Unit for Isolated {
         self.import.interface()
     }
 
-    fn is_apart(&self) -> bool {
+    fn is_separate(&self) -> bool {
         true
     }
 

@@ -1,5 +1,6 @@
-//! What the process of an isolated FMU does: it makes the instance, calls it as it is asked to, and ends
-//! with the run.
+//! What the process of an isolated FMU does.
+//!
+//! It makes the instance, calls it as it is asked to, and ends with the run.
 
 use std::env;
 use std::fs::File;

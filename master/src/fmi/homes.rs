@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::import::{Import, ImportError};
-use crate::system::structure::{Component, Place};
+use crate::system::structure::{Component, Home};
 
 /// Stands for all components where those that are to be isolated are named.
 const ALL: &str = "all";
 
-/// Puts the components of these names, or all if one is `all`, into processes of their own; `is_fmu` tells
-/// which of them are FMUs.
+/// Puts the components of these names into processes of their own, or all if one is `all`.
+///
+/// `is_fmu` tells which components are FMUs.
 ///
 /// # Errors
 /// A sentence if there is no such FMU.
@@ -31,14 +32,16 @@ pub fn isolate(
     }
     for component in components.iter_mut().filter(|component| is_fmu(component)) {
         if names.iter().any(|name| name == ALL || *name == component.name) {
-            component.schedule.place = Place::OwnProcess;
+            component.schedule.home = Home::OwnProcess;
         }
     }
     Ok(())
 }
 
-/// Puts the instances of an FMU that allows one a process into processes of their own where there are
-/// several, and loads the FMUs that run in this process. Gives what the user should know, in sentences.
+/// Loads the FMUs that run in this process.
+///
+/// Of one that allows one instance a process each runs in its own where there are several. Gives what the
+/// user should know, in sentences.
 ///
 /// # Errors
 /// When a binary cannot be loaded.
@@ -49,7 +52,7 @@ pub fn load<'i>(
     let mut here: BTreeMap<&str, (&Import, Vec<&mut Component>)> = BTreeMap::new();
     for component in components {
         let Some(import) = import(component) else { continue };
-        if component.schedule.place != Place::OwnProcess {
+        if component.schedule.home != Home::OwnProcess {
             let (_, instances) = here.entry(import.file()).or_insert((import, vec![]));
             instances.push(component);
         }
@@ -66,7 +69,7 @@ pub fn load<'i>(
             instances.len()
         ));
         for component in instances {
-            component.schedule.place = Place::OwnProcess;
+            component.schedule.home = Home::OwnProcess;
         }
     }
     Ok(notes)
