@@ -35,7 +35,9 @@ pub fn unit(import: &Arc<Import>, name: &str, manner: Manner) -> Result<Box<dyn 
         Home::AnyThread => Box::new(make()?),
         Home::OwnThread => Box::new(AtHome::new(import, name, make)?),
         #[cfg(target_os = "linux")]
-        Home::OwnProcess => Box::new(Isolated::new(import, name, (manner.tolerance, manner.retries))?),
+        Home::OwnProcess => {
+            Box::new(Isolated::new(import, name, (manner.tolerance, manner.retries))?)
+        }
         #[cfg(not(target_os = "linux"))]
         Home::OwnProcess => return Err(not_here(import, name)),
     })

@@ -31,6 +31,7 @@ mod describe;
 mod documentation;
 mod guard;
 mod home;
+pub mod homes;
 mod import;
 mod instance;
 #[cfg(target_os = "linux")]
@@ -40,7 +41,6 @@ mod manner;
 mod messages;
 mod origins;
 pub mod pack;
-pub mod homes;
 mod resource_paths;
 mod step;
 mod unit;

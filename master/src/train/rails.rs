@@ -13,7 +13,7 @@ use crate::fmi::{Import, Origins};
 use crate::interface::Interface;
 use crate::scenario::{Heat, Scenario};
 use crate::system::step::System;
-use crate::system::structure::{Parameter, Home, Schedule, Value};
+use crate::system::structure::{Home, Parameter, Schedule, Value};
 use crate::system::unit::UnitError;
 
 /// Distance of each rail to the right of the track's middle on standard gauge, m.

@@ -24,7 +24,7 @@ use crate::system::clock::Clock;
 use crate::system::compile::compile;
 use crate::system::start::StartError;
 use crate::system::step::System;
-use crate::system::structure::{Component, Parameter, Home, Schedule, Structure, Value};
+use crate::system::structure::{Component, Home, Parameter, Schedule, Structure, Value};
 use crate::system::unit::{Unit, terminate};
 
 /// File of the controller's FMU.
@@ -94,8 +94,7 @@ pub fn of_scenario(scenario: &Scenario, folders: &Folders) -> Result<TrainSystem
     structure.connections = connections(&layout, &interfaces);
     let isolated = &scenario.fmus.isolated;
     let is_fmu = |component: &Component| imports.contains_key(&component.source);
-    homes::isolate(&mut structure.components, isolated, is_fmu)
-        .map_err(PrepareError::Component)?;
+    homes::isolate(&mut structure.components, isolated, is_fmu).map_err(PrepareError::Component)?;
     structure.notes = homes::load(&mut structure.components, |own| imports.get(&own.source))?;
     let (retries, checks) =
         (scenario.fmus.retry_discarded_steps, scenario.checks.unwrap_or_default());
