@@ -22,6 +22,7 @@
 //! | `layout.rs` | names, chunks and codecs of the store |
 //! | `writer.rs` | appends snapshots |
 //! | `reader.rs` | reads snapshots |
+//! | `resumed.rs` | goes on with a field that is there |
 //!
 //! No other crate knows Zarr.
 
@@ -29,9 +30,10 @@ mod axes;
 mod error;
 mod layout;
 mod reader;
+mod resumed;
 mod writer;
 
 pub use axes::{Attribute, Axes};
 pub use error::FieldError;
 pub use reader::{FieldReader, Snapshot};
-pub use writer::FieldWriter;
+pub use writer::{FieldWriter, is_rail_field};
