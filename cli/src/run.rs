@@ -15,7 +15,15 @@ use crate::supervise;
 #[derive(Args)]
 pub struct RunArguments {
     /// Scenario: its folder or file; or an SSP package of any FMUs
-    scenario: PathBuf,
+    #[arg(required_unless_present = "resume")]
+    scenario: Option<PathBuf>,
+    /// Go on with the run in this folder of results from its last checkpoint, as it was ordered
+    #[arg(
+        long,
+        value_name = "RESULTS",
+        conflicts_with_all = ["scenario", "results", "fmus", "duration", "step", "interval", "checkpoint"]
+    )]
+    resume: Option<PathBuf>,
     /// Threads for the vehicles; left out: all cores
     #[arg(long, value_parser = count)]
     threads: Option<usize>,
@@ -34,9 +42,20 @@ pub struct RunArguments {
     /// Time between two records in place of the scenario's, s; of an SSP package, left out: 0.1
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     interval: Option<f64>,
+    /// Simulated time between two checkpoints, in place of the scenario's, s; left out by both: none is
+    /// written
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    checkpoint: Option<f64>,
     /// Show no progress
     #[arg(long)]
     quiet: bool,
+}
+
+impl RunArguments {
+    /// The scenario or package, which is there where no run is resumed.
+    fn scenario(&self) -> &Path {
+        self.scenario.as_deref().unwrap_or(Path::new(""))
+    }
 }
 
 /// Runs a scenario in a child process, tells where the results are, and the main figures.
@@ -50,9 +69,9 @@ pub fn run(arguments: &RunArguments) -> Result<()> {
     if supervise::is_child() {
         return run_here(arguments);
     }
-    let results =
-        arguments.results.clone().unwrap_or_else(|| workplace::new_results(&arguments.scenario));
-    let further = match arguments.results {
+    let stated = arguments.results.as_ref().or(arguments.resume.as_ref());
+    let results = stated.cloned().unwrap_or_else(|| workplace::new_results(arguments.scenario()));
+    let further = match stated {
         Some(_) => vec![],
         None => vec!["--results".into(), results.clone().into_os_string()],
     };
@@ -78,10 +97,15 @@ fn run_here(arguments: &RunArguments) -> Result<()> {
             duration: arguments.duration,
             step: arguments.step,
             interval: arguments.interval,
+            checkpoint: arguments.checkpoint,
         },
         quiet: arguments.quiet,
     };
-    println!("{}", run::run(&arguments.scenario, &options)?);
+    let finished = match &arguments.resume {
+        Some(results) => run::resume(results, &options)?,
+        None => run::run(arguments.scenario(), &options)?,
+    };
+    println!("{finished}");
     Ok(())
 }
 

@@ -158,8 +158,11 @@ fn make_room(path: &Path) -> Result<(), FieldError> {
     if is_rail_field(path) {
         return fs::remove_dir_all(path).map_err(io);
     }
-    let empty = path.is_dir() && fs::read_dir(path).map_err(io)?.next().is_none();
-    if empty {
+    // A writer that was killed at its very beginning leaves the metadata under another name.
+    let begun = |entry: &std::io::Result<fs::DirEntry>| {
+        entry.as_ref().is_ok_and(|entry| entry.file_name() == layout::PARTIAL)
+    };
+    if path.is_dir() && fs::read_dir(path).map_err(io)?.all(|entry| begun(&entry)) {
         Ok(())
     } else {
         let path = path.to_owned();

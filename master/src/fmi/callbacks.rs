@@ -3,6 +3,8 @@
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::sync::Mutex;
 
+use serde::{Deserialize, Serialize};
+
 use super::binding::Callbacks;
 
 unsafe extern "C" {
@@ -18,8 +20,9 @@ pub struct Messages {
     content: Mutex<Content>,
 }
 
-#[derive(Default)]
-struct Content {
+/// What an instance has said so far.
+#[derive(Clone, Default, Serialize, Deserialize)]
+pub struct Content {
     last: Option<String>,
     warnings: Vec<String>,
     /// Whether a message has come that explains a warning not yet noted.
@@ -38,6 +41,18 @@ impl Messages {
     /// Takes the warnings out.
     pub fn take_warnings(&self) -> Vec<String> {
         self.content.lock().map(|mut c| std::mem::take(&mut c.warnings)).unwrap_or_default()
+    }
+
+    /// What the instance has said so far, to be saved.
+    pub fn content(&self) -> Content {
+        self.content.lock().map(|content| content.clone()).unwrap_or_default()
+    }
+
+    /// Goes on from what another instance had said.
+    pub fn set_content(&self, said: Content) {
+        if let Ok(mut content) = self.content.lock() {
+            *content = said;
+        }
     }
 
     /// Keeps a warning that came without a message since the one before.

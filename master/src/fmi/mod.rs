@@ -11,6 +11,7 @@
 //! | `instance.rs`, `unit.rs` | an instance of it: a [`Unit`](crate::system::unit::Unit) |
 //! | `resource_paths.rs` | texts that name files in an FMU's own resources |
 //! | `step.rs` | the step, and what each status of it means |
+//! | `state.rs` | the states of an instance, and as bytes |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
 //!
@@ -28,6 +29,7 @@ mod instance;
 mod origins;
 pub mod pack;
 mod resource_paths;
+mod state;
 mod step;
 mod unit;
 

@@ -105,6 +105,19 @@ impl Unit for FmuInstance {
         self.step_or_retry(time, length)
     }
 
+    fn keeps_states(&self) -> bool {
+        let interface = self.interface();
+        interface.can_get_and_set_state && interface.can_serialize_state
+    }
+
+    fn save(&mut self) -> Result<Vec<u8>, UnitError> {
+        self.to_bytes()
+    }
+
+    fn restore(&mut self, saved: &[u8]) -> Result<(), UnitError> {
+        self.set_bytes(saved)
+    }
+
     fn terminate(&mut self) -> Result<(), UnitError> {
         self.call(
             c"fmi2Terminate",

@@ -57,6 +57,8 @@ pub struct Interface {
     pub once_per_process: bool,
     /// Whether the FMU can save its state and be set back to it.
     pub can_get_and_set_state: bool,
+    /// Whether a saved state can be had as bytes, for another program.
+    pub can_serialize_state: bool,
     /// Whether steps may differ in length.
     pub variable_step: bool,
     variables: HashMap<String, Variable>,
@@ -96,6 +98,7 @@ impl Interface {
             guid: root.guid,
             once_per_process: slave.once_per_process,
             can_get_and_set_state: slave.can_get_and_set_state,
+            can_serialize_state: slave.can_serialize_state,
             variable_step: slave.variable_step,
             variables: variables.filter_map(|scalar| variable(scalar, &units)).collect(),
             units: units.units,

@@ -48,26 +48,42 @@ const WRITER: &str = "hotfoot";
 
 /// The parts of a table that is being written.
 pub(super) struct Parts {
-    folder: PathBuf,
-    joined: PathBuf,
-    written: usize,
+    pub(super) folder: PathBuf,
+    pub(super) joined: PathBuf,
+    pub(super) written: usize,
     open: OpenPart,
+    /// Whether the folder is theirs and not one of an earlier run.
+    pub(super) begun: bool,
 }
 
 impl Parts {
-    /// Begins a table; removes the file and the parts of an earlier one.
-    pub fn create(folder: &Path, name: &str) -> Result<Self, RecordingError> {
-        let parts = Self::of(parts_folder(folder, name), joined_file(folder, name));
-        if parts.joined.exists() {
-            fs::remove_file(&parts.joined).map_err(RecordingError::file(&parts.joined))?;
-        }
-        parts.remove()?;
-        fs::create_dir_all(&parts.folder).map_err(RecordingError::file(&parts.folder))?;
-        Ok(parts)
+    /// A table that begins with its first record.
+    pub fn new(folder: &Path, name: &str) -> Self {
+        Self::of(parts_folder(folder, name), joined_file(folder, name))
     }
 
     fn of(folder: PathBuf, joined: PathBuf) -> Self {
-        Self { open: OpenPart::new(&folder), folder, joined, written: 0 }
+        Self { open: OpenPart::new(&folder), folder, joined, written: 0, begun: false }
+    }
+
+    /// Makes the folder, and removes the file and the parts of an earlier run.
+    fn begin(&mut self) -> Result<(), RecordingError> {
+        if self.begun {
+            return Ok(());
+        }
+        self.remove_joined()?;
+        self.remove()?;
+        fs::create_dir_all(&self.folder).map_err(RecordingError::file(&self.folder))?;
+        self.begun = true;
+        Ok(())
+    }
+
+    /// Removes the joined file if there is one.
+    pub(super) fn remove_joined(&self) -> Result<(), RecordingError> {
+        match self.joined.exists() {
+            true => fs::remove_file(&self.joined).map_err(RecordingError::file(&self.joined)),
+            false => Ok(()),
+        }
     }
 
     /// Adds a record to those since the last part.
@@ -76,6 +92,7 @@ impl Parts {
         schema: &SchemaRef,
         record: Result<RecordBatch, ArrowError>,
     ) -> Result<(), RecordingError> {
+        self.begin()?;
         self.open.append(schema, record)
     }
 
@@ -85,14 +102,21 @@ impl Parts {
         schema: &SchemaRef,
         batch: Result<RecordBatch, ArrowError>,
     ) -> Result<(), RecordingError> {
-        let file = self.folder.join(format!("part-{:05}.parquet", self.written));
+        self.begin()?;
+        let file = self.file(self.written);
         write_file(&file, schema, std::iter::once(batch.map_err(ParquetError::from)))?;
         self.written += 1;
         self.open.clear()
     }
 
+    /// The file of the part with that number, from zero.
+    pub(super) fn file(&self, number: usize) -> PathBuf {
+        self.folder.join(format!("part-{number:05}.parquet"))
+    }
+
     /// Joins the parts into one file and removes them.
-    pub fn join(&self, schema: &SchemaRef) -> Result<(), RecordingError> {
+    pub fn join(&mut self, schema: &SchemaRef) -> Result<(), RecordingError> {
+        self.begin()?;
         let files = part_files(&self.folder)?;
         let batches = files.iter().flat_map(|file| match batches(file) {
             Ok(batches) => batches,
@@ -102,7 +126,7 @@ impl Parts {
         self.remove()
     }
 
-    fn remove(&self) -> Result<(), RecordingError> {
+    pub(super) fn remove(&self) -> Result<(), RecordingError> {
         match self.folder.exists() {
             true => fs::remove_dir_all(&self.folder).map_err(RecordingError::file(&self.folder)),
             false => Ok(()),
@@ -136,7 +160,7 @@ fn complete_table(folder: PathBuf) -> Result<(), RecordingError> {
         // The run died before its first record.
         (None, None) => return Ok(()),
     };
-    let mut parts = Parts { written: written.len(), ..Parts::of(folder, joined) };
+    let mut parts = Parts { written: written.len(), begun: true, ..Parts::of(folder, joined) };
     if let Some((schema, records)) = left {
         parts.write(&schema, concat_batches(&schema, &records))?;
     }
@@ -190,7 +214,7 @@ fn batches(file: &Path) -> Result<Vec<Result<RecordBatch, ParquetError>>, Parque
 }
 
 /// Writes a file under a hidden name and gives it its name when it is complete.
-fn write_file(
+pub(super) fn write_file(
     file: &Path,
     schema: &SchemaRef,
     batches: impl Iterator<Item = Result<RecordBatch, ParquetError>>,

@@ -2,12 +2,14 @@
 
 use std::io;
 
+use super::checkpoint::{CheckpointError, Checkpoints, Place};
 use super::observe_error::ObserveError;
 use super::progress::Progress;
 use super::recorder::Recorder;
 use crate::system::parallel;
 use crate::system::part::Part;
 use crate::system::step::System;
+use crate::system::times::Timer;
 use crate::system::unit::UnitError;
 use crate::train::layout::Layout;
 use crate::train::tape::Tape;
@@ -31,6 +33,9 @@ pub enum StepFailure {
     /// It could not be recorded.
     #[error(transparent)]
     Observe(#[from] ObserveError),
+    /// A checkpoint could not be written.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
 }
 
 /// The rails, which go on after the run.
@@ -53,7 +58,7 @@ struct Rail {
 
 impl Rails {
     /// The rails of a train, whose wheels' loads are kept if further trains shall come; `tape` makes an
-    /// empty tape.
+    /// empty tape for the rail with that number.
     ///
     /// # Errors
     /// When a tape cannot be made.
@@ -61,12 +66,12 @@ impl Rails {
         layout: &Layout,
         system: &System,
         traffic: Traffic,
-        tape: impl Fn() -> Result<Tape, E>,
+        tape: impl Fn(usize) -> Result<Tape, E>,
     ) -> Result<Self, E> {
         let mut rails = vec![];
         for holder in &layout.rails {
             let Some(part) = system.number(&holder.component) else { continue };
-            let tape = if traffic.has_further_trains() { Some(tape()?) } else { None };
+            let tape = traffic.has_further_trains().then(|| tape(rails.len())).transpose()?;
             rails.push(Rail { part, name: format!("{} rail", holder.side_name()), tape });
         }
         Ok(Self { rails, traffic })
@@ -99,7 +104,33 @@ impl Rails {
         Ok(())
     }
 
-    /// Takes the rails, which have come to `time`, through what is planned after the run.
+    /// Leaves the tapes to the system, and gives the number of steps on each, for another run.
+    ///
+    /// # Errors
+    /// When a tape cannot be written.
+    pub fn save(&mut self) -> Result<Vec<u64>, UnitError> {
+        let save = |Rail { name, tape, .. }: &mut Rail| {
+            let steps = tape.as_mut().map_or(Ok(0), Tape::save);
+            steps.map_err(|error| tape_error(name, &error))
+        };
+        self.rails.iter_mut().map(save).collect()
+    }
+
+    /// Goes on behind so many steps of each tape that another run has left.
+    ///
+    /// # Errors
+    /// When a tape has fewer.
+    pub fn resume(&mut self, saved: &[u64], system: &System) -> Result<(), UnitError> {
+        for (Rail { part, name, tape }, steps) in self.rails.iter_mut().zip(saved) {
+            let inputs = system.parts[*part].inputs.reals.values.len();
+            let resumed = tape.as_mut().map_or(Ok(()), |tape| tape.resume(*steps, inputs));
+            resumed.map_err(|error| tape_error(name, &error))?;
+        }
+        Ok(())
+    }
+
+    /// Takes the rails, which have come to `time` in the run, through what is planned after it, from this place
+    /// on.
     ///
     /// # Errors
     /// When a step fails.
@@ -107,27 +138,40 @@ impl Rails {
         &mut self,
         run: &mut Continued<'_>,
         time: f64,
+        place: Place,
     ) -> Result<(), FailedStep> {
-        for stage in self.traffic.stages(time) {
+        let (first, done) = match place {
+            Place::Run(_) => (0, 0),
+            Place::After(stage, done) => (stage, done),
+        };
+        for (number, stage) in self.traffic.stages(time).into_iter().enumerate().skip(first) {
+            let done = if number == first { done } else { 0 };
             match stage {
                 Stage::Alone { from, length, steps } => {
-                    self.each(run, Steps { from, length, steps, per_record: 1 }, |_, part| {
+                    let steps = Steps { stage: number, done, from, length, steps, per_record: 1 };
+                    self.each(run, steps, |_, part| {
                         part.inputs.reals.values.fill(0.0);
                         Ok(())
                     })?;
                 }
-                Stage::Train { from } => self.further_train(run, from)?,
+                Stage::Train { from } => self.further_train(run, from, (number, done))?,
             }
         }
         Ok(())
     }
 
-    /// A train does again what is on the tapes.
-    fn further_train(&mut self, run: &mut Continued<'_>, from: f64) -> Result<(), FailedStep> {
+    /// A train does again what is on the tapes; so many steps of this stage it has done.
+    fn further_train(
+        &mut self,
+        run: &mut Continued<'_>,
+        from: f64,
+        (stage, done): (usize, u64),
+    ) -> Result<(), FailedStep> {
         let mut steps = 0;
-        for Rail { name, tape, .. } in &mut self.rails {
-            let rewound = tape.as_mut().map_or(Ok(0), Tape::rewind);
-            steps = rewound.map_err(|error| FailedStep {
+        for Rail { part, name, tape } in &mut self.rails {
+            let inputs = run.system.parts[*part].inputs.reals.values.len();
+            let found = tape.as_mut().map_or(Ok(0), |tape| tape.go_to(done, inputs));
+            steps = found.map_err(|error| FailedStep {
                 time: from,
                 source: tape_error(name, &error).into(),
             })?;
@@ -135,7 +179,7 @@ impl Rails {
         let every = self.every(run.system);
         let length = every as f64 * run.system.clock.length;
         let per_record = (run.recorder.every / every).max(1);
-        self.each(run, Steps { from, length, steps, per_record }, |rail, part| {
+        self.each(run, Steps { stage, done, from, length, steps, per_record }, |rail, part| {
             let Rail { name, tape, .. } = rail;
             let Some(tape) = tape else { return Ok(()) };
             tape.next(&mut part.inputs.reals.values).map_err(|error| tape_error(name, &error))
@@ -150,8 +194,8 @@ impl Rails {
         steps: Steps,
         load: fn(&mut Rail, &mut Part) -> Result<(), UnitError>,
     ) -> Result<(), FailedStep> {
-        let Steps { from, length, steps, per_record } = steps;
-        for j in 0..steps {
+        let Steps { stage, done, from, length, steps, per_record } = steps;
+        for j in done..steps {
             let time = from + j as f64 * length;
             let failed = |source| FailedStep { time, source };
             self.step(run.system, time, length, load).map_err(|error| failed(error.into()))?;
@@ -161,8 +205,23 @@ impl Rails {
                 recorded.map_err(|error| failed(error.into()))?;
                 run.progress.show_rails(end);
             }
+            let end = from + (j + 1) as f64 * length;
+            self.write_checkpoint(run, Place::After(stage, j + 1), end).map_err(failed)?;
         }
         Ok(())
+    }
+
+    fn write_checkpoint(
+        &mut self,
+        run: &mut Continued<'_>,
+        place: Place,
+        time: f64,
+    ) -> Result<(), StepFailure> {
+        let Some(checkpoints) = run.checkpoints.as_mut().filter(|c| c.is_due(time)) else {
+            return Ok(());
+        };
+        run.system.times.after = run.timer.elapsed();
+        Ok(checkpoints.write((place, time), self.save()?, run.system, run.recorder)?)
     }
 
     fn step(
@@ -199,11 +258,17 @@ pub struct Continued<'r> {
     pub recorder: &'r mut Recorder,
     /// Tells how far it is.
     pub progress: &'r mut Progress,
+    /// Writes checkpoints, if they are wanted.
+    pub checkpoints: Option<&'r mut Checkpoints>,
+    /// Wall time of what comes after the run.
+    pub timer: Timer,
 }
 
-/// Equal steps, and after how many of them the rails are recorded.
+/// Equal steps of a stage, so many of them done, and after how many of them the rails are recorded.
 #[derive(Clone, Copy)]
 struct Steps {
+    stage: usize,
+    done: u64,
     from: f64,
     length: f64,
     steps: u64,
@@ -222,6 +287,8 @@ fn tape_error(name: &str, error: &io::Error) -> UnitError {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
     use crate::scenario::Heat;
     use crate::system::clock::Clock;
@@ -274,7 +341,8 @@ mod tests {
                     cool_down_step_s = 598.0";
         let traffic = Traffic::of(&toml::from_str::<Heat>(plan).unwrap());
         let folder = tempfile::tempdir().unwrap();
-        let mut rails = Rails::new(&layout, &system, traffic, || Tape::new(folder.path())).unwrap();
+        let mut rails =
+            Rails::new(&layout, &system, traffic, |_| Tape::new(folder.path())).unwrap();
         parallel::pool(1).unwrap().install(|| {
             system.initialize(|_| 10.0).unwrap();
             for k in 0..5 {
@@ -296,9 +364,14 @@ mod tests {
             assert_eq!(sum(&mut system), 0.75 + 1.75);
             let mut recorder = Recorder { every: 1, ..Recorder::default() };
             let mut progress = Progress::new(5, 2.5, true);
-            let mut run =
-                Continued { system: &mut system, recorder: &mut recorder, progress: &mut progress };
-            rails.continue_after_run(&mut run, 2.0).unwrap();
+            let mut run = Continued {
+                system: &mut system,
+                recorder: &mut recorder,
+                progress: &mut progress,
+                checkpoints: None,
+                timer: Timer::after(Duration::ZERO),
+            };
+            rails.continue_after_run(&mut run, 2.0, Place::Run(5)).unwrap();
             assert_eq!(sum(&mut system), 2.0 * (0.75 + 1.75));
         });
         let calls = calls.lock().unwrap();

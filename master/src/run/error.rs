@@ -7,6 +7,7 @@ use files::Mistake;
 use crate::files::file_error::FileError;
 use crate::report::ReportError;
 use crate::run::after::{FailedStep, StepFailure};
+use crate::run::checkpoint::CheckpointError;
 use crate::run::observe_error::ObserveError;
 use crate::ssp::SspError;
 use crate::system::parallel::ThreadsError;
@@ -64,6 +65,9 @@ pub enum RunError {
     /// Recording failed.
     #[error(transparent)]
     Observe(#[from] ObserveError),
+    /// A checkpoint cannot be written, or the run not go on from one.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
     /// The report cannot be written.
     #[error(transparent)]
     Report(#[from] ReportError),
@@ -86,6 +90,7 @@ impl RunError {
                 Self::Step { time, source, results: results.display().to_string() }
             }
             StepFailure::Observe(source) => source.into(),
+            StepFailure::Checkpoint(source) => source.into(),
         }
     }
 

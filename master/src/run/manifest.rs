@@ -87,8 +87,9 @@ impl Manifest {
 
     /// Adds what is known at the end: how far the run came in which wall time, and where that went;
     /// `stages` are the names of the stages.
-    pub fn finish(&mut self, simulated: f64, wall: Duration, system: &System, stages: &[String]) {
+    pub fn finish(&mut self, simulated: f64, system: &System, stages: &[String]) {
         let times = &system.times;
+        let wall = times.run;
         self.simulated_s = simulated;
         if let Some(run) = &mut self.run {
             run.wall_time_s = Some(wall.as_secs_f64());
@@ -104,11 +105,17 @@ impl Manifest {
             ("exchange", times.exchange),
             ("recording", times.recording),
             ("rails after the run", times.after),
+            ("checkpoints", times.checkpoints),
         ];
         let others = others.map(|(part, time)| (part.to_owned(), time));
         let wall_time =
             |(part, time): (String, Duration)| WallTime { part, seconds: time.as_secs_f64() };
         self.wall_time_of = of_stages.chain(others).map(wall_time).collect();
+    }
+
+    /// The FMUs by their files, with their digests.
+    pub fn digests(&self) -> Vec<(String, String)> {
+        self.fmu.iter().map(|fmu| (fmu.file.clone(), fmu.sha256.clone())).collect()
     }
 
     /// Writes the manifest into the results folder.
@@ -149,6 +156,6 @@ fn fmus(system: &System) -> Vec<FmuEntry> {
 }
 
 /// The digest of a file's content as hexadecimal digits.
-fn sha256(content: &[u8]) -> String {
+pub fn sha256(content: &[u8]) -> String {
     Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
 }

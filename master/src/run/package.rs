@@ -22,13 +22,13 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Sets the package at `path` up, to be run with so many threads in the folder `results`, where its
+/// Sets the package at a path, which the user has written so, up to be run with so many threads in the folder `results`, where its
 /// FMUs stay beside the results that they make.
 ///
 /// # Errors
 /// When the package is wrong or does not fit its FMUs.
 pub fn setup(
-    path: &Path,
+    (path, written): (&Path, &str),
     results: &Path,
     times: &Times,
     threads: usize,
@@ -37,7 +37,7 @@ pub fn setup(
     archive::unpack(path, &package).map_err(SspError::from)?;
     let structure = ssp::read(&package)?;
     let (clock, steps, every) = times_of(&structure, times)?;
-    let file = path.display().to_string();
+    let file = written.to_owned();
     let system = ssp::open(&structure, &package, &file, clock)?;
     let mut manifest = Manifest::new(&system);
     manifest.warnings = renamed(&system);

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use serde::{Deserialize, Serialize};
+
 use super::clock::Clock;
 use super::signals::Signals;
 use super::structure::Sampling;
@@ -31,6 +33,19 @@ pub struct Part {
     pub(super) samplings: Vec<Sampling>,
     /// Communication points in the sums.
     pub(super) points: u64,
+}
+
+/// All that changes of a part while a system runs.
+#[derive(Serialize, Deserialize)]
+pub struct PartState {
+    /// The unit's own.
+    #[serde(with = "serde_bytes")]
+    unit: Vec<u8>,
+    inputs: Signals,
+    outputs: Signals,
+    wall: Duration,
+    sums: Vec<f64>,
+    points: u64,
 }
 
 impl Part {
@@ -95,6 +110,39 @@ impl Part {
             *sum = 0.0;
         }
         self.points = 0;
+    }
+
+    /// What another run needs to go on from here.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    pub fn save(&mut self) -> Result<PartState, UnitError> {
+        Ok(PartState {
+            unit: self.unit.save()?,
+            inputs: self.inputs.clone(),
+            outputs: self.outputs.clone(),
+            wall: self.wall,
+            sums: self.sums.clone(),
+            points: self.points,
+        })
+    }
+
+    /// Goes on from what the same part of another run has saved.
+    ///
+    /// # Errors
+    /// When the unit refuses, or it was saved by another part.
+    pub fn restore(&mut self, saved: PartState) -> Result<(), UnitError> {
+        let PartState { unit, inputs, outputs, wall, sums, points } = saved;
+        let same = inputs.has_variables_of(&self.inputs)
+            && outputs.has_variables_of(&self.outputs)
+            && sums.len() == self.sums.len();
+        if !same {
+            return Err(self.unit.differs("it is one with other variables"));
+        }
+        self.unit.restore(&unit)?;
+        (self.inputs, self.outputs, self.sums) = (inputs, outputs, sums);
+        (self.wall, self.points) = (wall, points);
+        Ok(())
     }
 
     /// An input as `component.variable`, for messages.

@@ -1,5 +1,7 @@
 //! Variables of a unit that are set or got together, by type.
 
+use serde::{Deserialize, Serialize};
+
 use super::structure::Value;
 use super::unit::{Unit, UnitError};
 use crate::interface::VariableType;
@@ -8,7 +10,7 @@ use crate::interface::VariableType;
 const ROUNDING: f64 = 1e-13;
 
 /// Variables of one type that are set or got together.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Bank<T> {
     /// Value references.
     references: Vec<u32>,
@@ -39,7 +41,7 @@ impl<T: Copy> Bank<T> {
 }
 
 /// Variables of all types that are set or got together.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Signals {
     /// Real variables.
     pub reals: Bank<f64>,
@@ -100,6 +102,13 @@ impl Signals {
             Value::Text(_) => return false,
         }
         true
+    }
+
+    /// Whether they are the same variables.
+    pub(super) fn has_variables_of(&self, other: &Self) -> bool {
+        self.reals.references == other.reals.references
+            && self.integers.references == other.integers.references
+            && self.booleans.references == other.booleans.references
     }
 
     /// Sends the values to the unit.

@@ -149,6 +149,8 @@ fn a_serialized_state_names_the_resources_where_they_are_now() {
     let folders = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
     let [before, after] = folders.each_ref().map(|folder| folder.path().display().to_string());
     let [mut here, mut there] = folders.each_ref().map(|folder| native_in(folder.path()));
+    here.setup_experiment(0.0, None).expect("times");
+    here.enter_initialization_mode().expect("it may begin");
     for (named, expected) in [
         (format!("{before}/rows.csv"), format!("{after}/rows.csv")),
         (format!("{before}-more/rows.csv"), format!("{before}-more/rows.csv")),
