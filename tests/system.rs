@@ -19,6 +19,7 @@
 //! | `packages.rs` | packages of scenarios against the scenarios |
 //! | `profile_files.rs` | profiles of vehicle files |
 //! | `rails.rs` | the heated rails |
+//! | `resume.rs` | runs that go on from a checkpoint |
 //! | `scenarios.rs` | every shipped scenario |
 //! | `synchronisation.rs` | the controller in the whole loop |
 //! | `tools.rs` | the engineering commands |
@@ -43,6 +44,7 @@ mod outputs;
 mod packages;
 mod profile_files;
 mod rails;
+mod resume;
 mod scenarios;
 mod synchronisation;
 mod tools;

@@ -2,6 +2,7 @@
 
 pub mod fmu_copy;
 pub mod hostile;
+pub mod killed;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -50,12 +51,17 @@ pub fn library(package: &str) -> PathBuf {
     path
 }
 
+/// The program `hotfoot`: that of the release, or the one that `HOTFOOT_PROGRAM` names.
+pub fn program() -> PathBuf {
+    std::env::var_os("HOTFOOT_PROGRAM").map_or_else(|| release().join("hotfoot"), PathBuf::from)
+}
+
 /// Runs the program `hotfoot` with these arguments in `folder`.
 ///
 /// # Panics
 /// When the program has not been built.
 pub fn hotfoot(folder: &Path, arguments: &[&str]) -> Output {
-    let program = release().join("hotfoot");
+    let program = program();
     Command::new(&program)
         .args(arguments)
         .current_dir(folder)
@@ -158,7 +164,11 @@ impl SmallScenario {
         self.folder.path().join("results")
     }
 
-    fn write(&self) {
+    /// Writes the files.
+    ///
+    /// # Panics
+    /// When the folder is not writable.
+    pub fn write(&self) {
         let files = [
             ("scenario.toml", &self.text),
             ("track.toml", &self.track),

@@ -1,5 +1,6 @@
-//! The states of an FMU (FMI 2.0 §2.1.8): in memory, to try a step again, and as bytes, to go on in another
-//! program.
+//! The states of an FMU (FMI 2.0 §2.1.8).
+//!
+//! In memory they let a step be tried again, as bytes they let another program go on.
 
 use std::ffi::{CStr, c_char, c_void};
 use std::ptr;
@@ -22,7 +23,7 @@ struct Saved {
 
 impl FmuInstance {
     /// The FMU's state and what it has said, as bytes.
-    pub(super) fn to_bytes(&mut self) -> Result<Vec<u8>, UnitError> {
+    pub(super) fn save_bytes(&mut self) -> Result<Vec<u8>, UnitError> {
         self.keep()?;
         let state = self.serialized();
         self.free_state();
@@ -31,7 +32,7 @@ impl FmuInstance {
     }
 
     /// Goes on from another instance's bytes.
-    pub(super) fn set_bytes(&mut self, bytes: &[u8]) -> Result<(), UnitError> {
+    pub(super) fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), UnitError> {
         let saved: Saved =
             postcard::from_bytes(bytes).map_err(|error| self.differs(&error.to_string()))?;
         self.free_state();

@@ -111,11 +111,11 @@ impl Unit for FmuInstance {
     }
 
     fn save(&mut self) -> Result<Vec<u8>, UnitError> {
-        self.to_bytes()
+        self.save_bytes()
     }
 
     fn restore(&mut self, saved: &[u8]) -> Result<(), UnitError> {
-        self.set_bytes(saved)
+        self.restore_bytes(saved)
     }
 
     fn terminate(&mut self) -> Result<(), UnitError> {

@@ -26,7 +26,7 @@ impl Parts {
         rows: usize,
     ) -> Result<(), RecordingError> {
         match self.joined.exists() {
-            true => self.take_apart(schema, count, rows)?,
+            true => self.separate(schema, count, rows)?,
             false => self.keep(count, rows)?,
         }
         (self.written, self.begun) = (count, true);
@@ -54,7 +54,7 @@ impl Parts {
     }
 
     /// Writes the first parts anew from the joined file, which goes when they are there.
-    fn take_apart(
+    fn separate(
         &self,
         schema: &SchemaRef,
         count: usize,

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::checkpoint::{CheckpointError, Checkpoints, Place};
+use super::checkpoint::{CheckpointError, Checkpoints, Reached};
 use super::observe_error::ObserveError;
 use super::progress::Progress;
 use super::recorder::Recorder;
@@ -129,8 +129,9 @@ impl Rails {
         Ok(())
     }
 
-    /// Takes the rails, which have come to `time` in the run, through what is planned after it, from this place
-    /// on.
+    /// Takes the rails, which came to `time` in the run, through what is planned after it.
+    ///
+    /// It begins behind what is `reached` already.
     ///
     /// # Errors
     /// When a step fails.
@@ -138,11 +139,11 @@ impl Rails {
         &mut self,
         run: &mut Continued<'_>,
         time: f64,
-        place: Place,
+        reached: Reached,
     ) -> Result<(), FailedStep> {
-        let (first, done) = match place {
-            Place::Run(_) => (0, 0),
-            Place::After(stage, done) => (stage, done),
+        let (first, done) = match reached {
+            Reached::Run(_) => (0, 0),
+            Reached::After(stage, done) => (stage, done),
         };
         for (number, stage) in self.traffic.stages(time).into_iter().enumerate().skip(first) {
             let done = if number == first { done } else { 0 };
@@ -170,7 +171,7 @@ impl Rails {
         let mut steps = 0;
         for Rail { part, name, tape } in &mut self.rails {
             let inputs = run.system.parts[*part].inputs.reals.values.len();
-            let found = tape.as_mut().map_or(Ok(0), |tape| tape.go_to(done, inputs));
+            let found = tape.as_mut().map_or(Ok(0), |tape| tape.seek(done, inputs));
             steps = found.map_err(|error| FailedStep {
                 time: from,
                 source: tape_error(name, &error).into(),
@@ -206,7 +207,7 @@ impl Rails {
                 run.progress.show_rails(end);
             }
             let end = from + (j + 1) as f64 * length;
-            self.write_checkpoint(run, Place::After(stage, j + 1), end).map_err(failed)?;
+            self.write_checkpoint(run, Reached::After(stage, j + 1), end).map_err(failed)?;
         }
         Ok(())
     }
@@ -214,14 +215,14 @@ impl Rails {
     fn write_checkpoint(
         &mut self,
         run: &mut Continued<'_>,
-        place: Place,
+        reached: Reached,
         time: f64,
     ) -> Result<(), StepFailure> {
         let Some(checkpoints) = run.checkpoints.as_mut().filter(|c| c.is_due(time)) else {
             return Ok(());
         };
         run.system.times.after = run.timer.elapsed();
-        Ok(checkpoints.write((place, time), self.save()?, run.system, run.recorder)?)
+        Ok(checkpoints.write((reached, time), self.save()?, run.system, run.recorder)?)
     }
 
     fn step(
@@ -282,101 +283,5 @@ fn tape_error(name: &str, error: &io::Error) -> UnitError {
         action: "writing or reading".into(),
         status: None,
         last_message: Some(error.to_string().into()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::time::Duration;
-
-    use super::*;
-    use crate::scenario::Heat;
-    use crate::system::clock::Clock;
-    use crate::system::compile::compile;
-    use crate::system::mock::Mock;
-    use crate::system::structure::{
-        Component, Connection, Endpoint, Sampling, Schedule, Structure,
-    };
-    use crate::system::unit::Unit;
-    use crate::train::layout::RailHolder;
-
-    /// A rail of 2 exchange steps a step, which gets the time at the end of each step from a wheel: what
-    /// it got in the run comes again from the tape; alone its inputs are zero.
-    #[test]
-    fn a_train_comes_again_as_it_was_and_alone_there_is_none() {
-        let calls = Default::default();
-        let wheel: Box<dyn Unit> = Box::new(Mock::new(
-            "wheel",
-            &[("y".to_owned(), "output")],
-            &calls,
-            |v, time, length| {
-                v[0] = time + length;
-            },
-        ));
-        let variables = [("u".to_owned(), "input"), ("sum".to_owned(), "output")];
-        let rail: Box<dyn Unit> =
-            Box::new(Mock::new("rail", &variables, &calls, |v, _, length| v[1] += v[0] * length));
-        let component = |name: &str, stage, every| Component {
-            name: name.to_owned(),
-            schedule: Schedule { stage, every },
-            ..Component::default()
-        };
-        let (from, to) = (Endpoint::new("wheel", "y"), Endpoint::new("rail", "u"));
-        let structure = Structure {
-            components: vec![component("wheel", 0, 1), component("rail", 1, 2)],
-            connections: vec![Connection::of(
-                from,
-                to,
-                crate::interface::si::Linear::IDENTITY,
-                Sampling::Mean,
-            )],
-            ..Structure::default()
-        };
-        let clock = Clock { start: 0.0, length: 0.5 };
-        let mut system = compile(&structure, vec![wheel, rail], clock).unwrap();
-        let holder = RailHolder { component: "rail".to_owned(), side: 0 };
-        let layout = Layout { rails: vec![holder], ..Layout::default() };
-        // Two trains 10 min apart, and a quarter of an hour alone in two steps of 450 s.
-        let plan = "trains = { count = 2, headway_minutes = 10.0 }\ncool_down_minutes = 15.0\n\
-                    cool_down_step_s = 598.0";
-        let traffic = Traffic::of(&toml::from_str::<Heat>(plan).unwrap());
-        let folder = tempfile::tempdir().unwrap();
-        let mut rails =
-            Rails::new(&layout, &system, traffic, |_| Tape::new(folder.path())).unwrap();
-        parallel::pool(1).unwrap().install(|| {
-            system.initialize(|_| 10.0).unwrap();
-            for k in 0..5 {
-                system.step(k).unwrap();
-                rails.observe(k, &system).unwrap();
-            }
-            assert_eq!(
-                rails.time(&system, 5),
-                2.0,
-                "an unfinished step of the rail does not count"
-            );
-            let sum = |system: &mut System| {
-                let tap = system.tap("rail", "sum").unwrap();
-                let Part { unit, outputs, .. } = &mut system.parts[1];
-                outputs.get(unit.as_mut()).unwrap();
-                system.value(&tap)
-            };
-            // Means of 0.5 and 1 s, and of 1.5 and 2 s, each for 1 s.
-            assert_eq!(sum(&mut system), 0.75 + 1.75);
-            let mut recorder = Recorder { every: 1, ..Recorder::default() };
-            let mut progress = Progress::new(5, 2.5, true);
-            let mut run = Continued {
-                system: &mut system,
-                recorder: &mut recorder,
-                progress: &mut progress,
-                checkpoints: None,
-                timer: Timer::after(Duration::ZERO),
-            };
-            rails.continue_after_run(&mut run, 2.0, Place::Run(5)).unwrap();
-            assert_eq!(sum(&mut system), 2.0 * (0.75 + 1.75));
-        });
-        let calls = calls.lock().unwrap();
-        let steps = calls.iter().filter_map(|call| call.strip_prefix("rail step "));
-        let steps: Vec<_> = steps.collect();
-        assert_eq!(steps, ["0.000", "1.000", "2.000", "600.000", "601.000", "602.000", "1052.000"]);
     }
 }

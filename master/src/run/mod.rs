@@ -36,11 +36,14 @@ mod train_tables;
 mod wiring;
 pub mod workplace;
 
+#[cfg(test)]
+mod after_tests;
+
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use after::{Continued, FailedStep, StepFailure};
-use checkpoint::{Beginning, CheckpointError, Checkpoints, Order, Place, Subject};
+use checkpoint::{Beginning, CheckpointError, Checkpoints, Order, Reached, Subject};
 use error::RunError;
 pub use export::{Exported, export};
 use finished::Done;
@@ -86,8 +89,10 @@ pub fn run(path: &Path, options: &Options) -> Result<Finished, RunError> {
     run_or_resume(&Subject::new(path)?, options, checkpoint::begin)
 }
 
-/// Goes on with the run in a folder of results, from its newest checkpoint that is whole. What it writes is
-/// what it would have written anyway, on any number of threads; of `options` threads and quiet count.
+/// Goes on with the run in a folder of results, from its newest checkpoint that is whole.
+///
+/// What it writes is what it would have written anyway, on any number of threads. Of the `options` the threads
+/// count and whether it is quiet.
 ///
 /// # Errors
 /// When there is no run that can go on, or a unit fails.
@@ -179,7 +184,7 @@ fn perform(
     let live = setup.live_figures();
     setup.describe()?;
     let mut progress = Progress::new(steps, stop, quiet);
-    let place = setup.begin(beginning.state.take(), &mut recorder, &mut progress)?;
+    let reached = setup.begin(beginning.state.take(), &mut recorder, &mut progress)?;
     let notes = setup.manifest.run.iter().flat_map(|run| &run.notes);
     beginning.notes.iter().chain(notes).for_each(|note| progress.tell(note));
 
@@ -188,12 +193,12 @@ fn perform(
     let (recorded, shown) = (&mut recorder, &mut progress);
     let mut stepping =
         Stepping { setup, recorder: recorded, progress: shown, live: &live, checkpoints, timer };
-    let first = match place {
-        Place::Run(done) => done,
-        Place::After(..) => steps,
+    let first = match reached {
+        Reached::Run(done) => done,
+        Reached::After(..) => steps,
     };
     let mut outcome = stepping.run(first..steps);
-    if let Place::Run(_) = place {
+    if let Reached::Run(_) = reached {
         setup.system.times.run = stepping.timer.elapsed();
     }
     if outcome.is_ok() {
@@ -202,7 +207,7 @@ fn perform(
         let checkpoints = beginning.checkpoints.as_mut();
         let (recorder, progress) = (&mut recorder, &mut progress);
         let mut run = Continued { system, recorder, progress, checkpoints, timer };
-        outcome = rails.continue_after_run(&mut run, rails_run, place);
+        outcome = rails.continue_after_run(&mut run, rails_run, reached);
         run.system.times.after = run.timer.elapsed();
     }
     progress.finish();
@@ -217,8 +222,8 @@ fn perform(
     if let Some(run) = &mut manifest.run {
         run.warnings.clone_from(&manifest.warnings);
     }
-    let reached = outcome.as_ref().map_or_else(|failed| failed.time, |()| rails_end);
-    let simulated = reached.min(clock.at(steps)) - clock.start;
+    let until = outcome.as_ref().map_or_else(|failed| failed.time, |()| rails_end);
+    let simulated = until.min(clock.at(steps)) - clock.start;
     manifest.finish(simulated, system, stages);
     manifest.write(results)?;
     outcome.map_err(|failed| RunError::step(failed, results))?;
@@ -258,8 +263,8 @@ impl Stepping<'_> {
         let end = system.clock.at(k + 1);
         if let Some(checkpoints) = self.checkpoints.as_mut().filter(|c| c.is_due(end)) {
             system.times.run = self.timer.elapsed();
-            let place = (Place::Run(k + 1), end);
-            checkpoints.write(place, rails.save()?, system, self.recorder)?;
+            let reached = (Reached::Run(k + 1), end);
+            checkpoints.write(reached, rails.save()?, system, self.recorder)?;
         }
         Ok(())
     }

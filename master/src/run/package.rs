@@ -22,8 +22,10 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Sets the package at a path, which the user has written so, up to be run with so many threads in the folder `results`, where its
-/// FMUs stay beside the results that they make.
+/// Sets the package at a path, which the user has written so, up to be run.
+///
+/// It is run with so many threads in the folder `results`, where its FMUs stay beside the results that they
+/// make.
 ///
 /// # Errors
 /// When the package is wrong or does not fit its FMUs.

@@ -31,7 +31,7 @@ impl Progress {
     }
 
     /// The run goes on from `done` steps and a time in s.
-    pub fn go_on(&mut self, done: u64, time: f64) {
+    pub fn continue_from(&mut self, done: u64, time: f64) {
         self.bar.set_position(done);
         self.bar.reset_eta();
         self.from = time;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::after::Rails;
-use super::checkpoint::{Beginning, CheckpointError, Checkpoints, Place, RunState};
+use super::checkpoint::{Beginning, CheckpointError, Checkpoints, Reached, RunState};
 use super::error::RunError;
 use super::live::LiveFigures;
 use super::manifest::Manifest;
@@ -98,8 +98,9 @@ impl Setup {
         beginning.checkpoints.take().map_or(Ok(()), Checkpoints::remove)
     }
 
-    /// Lets the initialised units begin at the start, which is recorded, or go on from where another run was
-    /// saved; gives the place.
+    /// Lets the initialised units begin at the start, which is recorded, or go on from a saved state.
+    ///
+    /// Gives what is done already.
     ///
     /// # Errors
     /// When a unit refuses, or a file cannot be written.
@@ -108,26 +109,26 @@ impl Setup {
         saved: Option<RunState>,
         recorder: &mut Recorder,
         progress: &mut Progress,
-    ) -> Result<Place, RunError> {
+    ) -> Result<Reached, RunError> {
         let Self { system, rails, .. } = self;
         let Some(saved) = saved else {
             // The observed outputs as they are at the start.
             parallel::for_each(&mut system.parts, |part| part.outputs.get(part.unit.as_mut()))
                 .map_err(StartError::from)?;
             recorder.observe(0, system)?;
-            return Ok(Place::Run(0));
+            return Ok(Reached::Run(0));
         };
-        let RunState { place, time, times, parts, tables, tapes, .. } = saved;
+        let RunState { reached, time, times, parts, tables, tapes, .. } = saved;
         system.restore(parts).map_err(CheckpointError::from)?;
         system.times = times;
         rails.resume(&tapes, system).map_err(CheckpointError::from)?;
         recorder.resume(tables)?;
-        let done = match place {
-            Place::Run(done) => done,
-            Place::After(..) => self.steps,
+        let done = match reached {
+            Reached::Run(done) => done,
+            Reached::After(..) => self.steps,
         };
-        progress.go_on(done, time);
-        Ok(place)
+        progress.continue_from(done, time);
+        Ok(reached)
     }
 
     /// Adds to the manifest what the units say of themselves after the initialisation, and what can be

@@ -58,7 +58,7 @@ impl Tape {
     /// # Errors
     /// When there are fewer.
     pub fn resume(&mut self, steps: u64, inputs: usize) -> io::Result<()> {
-        let length = place(steps, inputs);
+        let length = offset(steps, inputs);
         if self.writer.get_ref().metadata()?.len() < length {
             return Err(io::ErrorKind::UnexpectedEof.into());
         }
@@ -72,9 +72,9 @@ impl Tape {
     ///
     /// # Errors
     /// When the disk is full.
-    pub fn go_to(&mut self, step: u64, inputs: usize) -> io::Result<u64> {
+    pub fn seek(&mut self, step: u64, inputs: usize) -> io::Result<u64> {
         self.writer.flush()?;
-        self.reader.seek(SeekFrom::Start(place(step, inputs)))?;
+        self.reader.seek(SeekFrom::Start(offset(step, inputs)))?;
         Ok(self.steps)
     }
 
@@ -93,7 +93,7 @@ impl Tape {
 }
 
 /// Where a step begins in the file.
-fn place(step: u64, inputs: usize) -> u64 {
+fn offset(step: u64, inputs: usize) -> u64 {
     step * inputs as u64 * size_of::<f64>() as u64
 }
 
@@ -110,7 +110,7 @@ mod tests {
             tape.add(&step(k)).unwrap();
         }
         for _ in 0..2 {
-            assert_eq!(tape.go_to(0, 3).unwrap(), 5000);
+            assert_eq!(tape.seek(0, 3).unwrap(), 5000);
             let mut inputs = [0.0; 3];
             for k in 0..5000 {
                 tape.next(&mut inputs).unwrap();
@@ -130,7 +130,7 @@ mod tests {
         let mut resumed = Tape::in_file(&file).unwrap();
         resumed.resume(4, 2).unwrap();
         (10..12).for_each(|k| resumed.add(&[f64::from(k), 0.5]).unwrap());
-        assert_eq!(resumed.go_to(3, 2).unwrap(), 6);
+        assert_eq!(resumed.seek(3, 2).unwrap(), 6);
         for expected in [3.0, 10.0, 11.0] {
             let mut inputs = [0.0; 2];
             resumed.next(&mut inputs).unwrap();

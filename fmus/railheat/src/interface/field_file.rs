@@ -20,7 +20,7 @@ pub(crate) struct FieldFile {
     path: PathBuf,
     interval: f64,
     start_time: f64,
-    place: Place,
+    written: Written,
     /// None until something is written.
     writer: Option<FieldWriter>,
     values: Vec<f32>,
@@ -28,7 +28,7 @@ pub(crate) struct FieldFile {
 
 /// How far the field has been written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Place {
+pub struct Written {
     /// Number of the interval at whose end the next snapshot is due.
     next: u64,
     snapshots: usize,
@@ -48,7 +48,7 @@ impl FieldFile {
             path: path.to_owned(),
             interval,
             start_time,
-            place: Place::default(),
+            written: Written::default(),
             writer: None,
             values: vec![0.0; model.line().elements * model.depths().len()],
         };
@@ -57,27 +57,27 @@ impl FieldFile {
     }
 
     /// How far the field has been written.
-    pub(crate) fn place(&self) -> Place {
-        self.place
+    pub(crate) fn written(&self) -> Written {
+        self.written
     }
 
-    /// Goes on from another place.
-    pub(crate) fn go_to(&mut self, place: Place) {
-        if place.snapshots != self.place.snapshots {
+    /// Goes on behind what another instance has written.
+    pub(crate) fn continue_from(&mut self, written: Written) {
+        if written.snapshots != self.written.snapshots {
             self.writer = None;
         }
-        self.place = place;
+        self.written = written;
     }
 
     /// Writes nothing any more.
-    pub(crate) fn give_up(&mut self) {
-        self.place.lost = true;
+    pub(crate) fn stop(&mut self) {
+        self.written.lost = true;
         self.writer = None;
     }
 
     /// Writes the snapshot at the start unless it is there.
     pub(crate) fn write_start(&mut self, model: &dyn HeatModel) -> Result<(), FieldError> {
-        match self.place.snapshots {
+        match self.written.snapshots {
             0 => self.write_if_due(self.start_time, model),
             _ => Ok(()),
         }
@@ -90,20 +90,20 @@ impl FieldFile {
         model: &dyn HeatModel,
     ) -> Result<(), FieldError> {
         let passed = (time - self.start_time + SAME_TIME) / self.interval;
-        if self.place.lost || passed < self.place.next as f64 {
+        if self.written.lost || passed < self.written.next as f64 {
             return Ok(());
         }
         model.snapshot(&mut self.values);
         let writer = match &mut self.writer {
             Some(writer) => writer,
-            none => none.insert(match self.place.snapshots {
+            none => none.insert(match self.written.snapshots {
                 0 => begin(&self.path, model)?,
                 snapshots => FieldWriter::resume(&self.path, snapshots)?,
             }),
         };
         writer.append(time, &self.values)?;
-        self.place.snapshots += 1;
-        self.place.next = passed as u64 + 1;
+        self.written.snapshots += 1;
+        self.written.next = passed as u64 + 1;
         Ok(())
     }
 }

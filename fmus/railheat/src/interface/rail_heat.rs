@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::build::build;
 use super::chosen_model::{self, ChosenModel};
-use super::field_file::{FieldFile, Place};
+use super::field_file::{FieldFile, Written};
 use super::inputs::WheelInputs;
 use super::parameters::common::FieldFailure;
 use super::shape::Shape;
@@ -35,7 +35,7 @@ pub struct RailHeat {
 pub struct State {
     model: chosen_model::State,
     /// How far the field has been written, if one is wanted.
-    field: Option<Place>,
+    field: Option<Written>,
 }
 
 impl Model for RailHeat {
@@ -105,14 +105,14 @@ impl Model for RailHeat {
     }
 
     fn state(&self) -> Cow<'_, State> {
-        let field = self.field.as_ref().map(FieldFile::place);
+        let field = self.field.as_ref().map(FieldFile::written);
         Cow::Owned(State { model: self.model.state(), field })
     }
 
     fn restore(&mut self, state: State) {
         self.model.restore(state.model);
-        if let (Some(field), Some(place)) = (&mut self.field, state.field) {
-            field.go_to(place);
+        if let (Some(field), Some(written)) = (&mut self.field, state.field) {
+            field.continue_from(written);
         }
     }
 }
@@ -154,7 +154,7 @@ impl RailHeat {
         let Err(error) = write(field, &*self.model) else {
             return Ok(());
         };
-        field.give_up();
+        field.stop();
         field_failed(signals, values, error, log)
     }
 

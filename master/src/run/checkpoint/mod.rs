@@ -1,4 +1,4 @@
-//! Checkpoints: from time to time all that a run needs to go on from there, in files beside its results.
+//! Checkpoints: from time to time all that a run needs to go on from there, beside its results.
 //!
 //! ```text
 //! results/checkpoint/run.toml          what is run, and of which files it was made
@@ -16,8 +16,10 @@
 //! | `mod.rs` | when a checkpoint is written, and which are kept |
 //! | `order.rs` | what is run, and whether it can go on as it was |
 //! | `state.rs` | the state of a run |
+//! | `error.rs` | why it cannot be written or taken |
 //! | `file.rs` | a state as a file that is whole or not taken |
 
+mod error;
 mod file;
 mod order;
 mod state;
@@ -25,14 +27,14 @@ mod state;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+pub use error::CheckpointError;
 pub use order::{Order, Subject};
-pub use state::{Place, RunState};
+pub use state::{Reached, RunState};
 
 use crate::files::file_error::FileError;
 use crate::run::recorder::Recorder;
 use crate::system::step::System;
 use crate::system::times::Stopwatch;
-use crate::system::unit::UnitError;
 
 /// Name of the folder in that of the results.
 const FOLDER: &str = "checkpoint";
@@ -42,35 +44,6 @@ const KEPT: usize = 2;
 
 /// Slack in comparing times, s.
 const SAME_TIME: f64 = 1e-9;
-
-/// Why a checkpoint cannot be written, or a run not go on from one.
-#[derive(Debug, thiserror::Error)]
-pub enum CheckpointError {
-    /// A file cannot be read or written.
-    #[error("checkpoint: {0}")]
-    File(#[from] FileError),
-    /// A unit cannot be saved or set back.
-    #[error("checkpoint: {0}")]
-    Unit(#[from] UnitError),
-    /// There is nothing to go on with.
-    #[error(
-        "--resume {results}: there is no {results}/{FOLDER}/run.toml, so there is nothing to go on with; a \
-         run writes checkpoints if `--checkpoint` or `record.checkpoint_s` says how often, and removes them \
-         when it has come to its end"
-    )]
-    None {
-        /// Folder of the results.
-        results: String,
-    },
-    /// Something is not as it was when the run began.
-    #[error("--resume {results}: the run cannot go on as it was: {what}")]
-    Changed {
-        /// Folder of the results.
-        results: String,
-        /// What is different, and what would be right.
-        what: String,
-    },
-}
 
 /// Writes the checkpoints of a run.
 pub struct Checkpoints {
@@ -120,7 +93,7 @@ pub fn tape_file(results: &Path, number: usize) -> PathBuf {
     results.join(FOLDER).join(format!("tape-{number}"))
 }
 
-/// Begins the checkpoints of a new run as `order` says; what an earlier run has left in the folder goes.
+/// Begins the checkpoints of a new run as `order` says; those of an earlier run there go.
 ///
 /// # Errors
 /// When the folder cannot be written.
@@ -191,13 +164,13 @@ impl Checkpoints {
             ((time + SAME_TIME) / self.interval).floor().mul_add(self.interval, self.interval);
     }
 
-    /// Writes one: the run has come to `place`, at a time in s, and has so many steps on each tape.
+    /// Writes one: the run has come to `reached`, at a time in s, and has so many steps on each tape.
     ///
     /// # Errors
     /// When a unit cannot be saved, or the disk is full.
     pub fn write(
         &mut self,
-        (place, time): (Place, f64),
+        (reached, time): (Reached, f64),
         tapes: Vec<u64>,
         system: &mut System,
         recorder: &mut Recorder,
@@ -205,7 +178,7 @@ impl Checkpoints {
         let mut watch = Stopwatch::start();
         let (parts, tables) = (system.save()?, recorder.save());
         let (times, fmus) = (system.times.clone(), self.fmus.clone());
-        let state = RunState { place, time, tapes, times, parts, tables, fmus };
+        let state = RunState { reached, time, tapes, times, parts, tables, fmus };
         file::write(&self.folder.join(format!("{:08}.state", self.number)), &state)?;
         self.number += 1;
         self.plan(time);

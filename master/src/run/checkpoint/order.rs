@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::CheckpointError;
+use super::error::CheckpointError;
 use super::file::write_whole;
 use crate::files::file_error::{FileError, read_toml};
 use crate::run::manifest::sha256;
@@ -61,8 +61,9 @@ impl Subject {
 }
 
 impl Order {
-    /// An order to run this with times of the command line into a folder, with Hotfoot's own FMUs in another;
-    /// `files` are those that the run is made of.
+    /// An order to run this into a folder, with Hotfoot's own FMUs in another.
+    ///
+    /// `files` are those that the run is made of; `times` those of the command line.
     ///
     /// # Errors
     /// When one of them cannot be read.

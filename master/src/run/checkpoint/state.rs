@@ -8,11 +8,12 @@ use crate::system::times::StepTimes;
 
 /// How far a run has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Place {
+pub enum Reached {
     /// So many steps of the run are done.
     Run(u64),
-    /// The run is over, and of the stage of that number, from zero, of what comes after it so many steps are
-    /// done.
+    /// The run is over, and of a stage of what comes after it so many steps are done.
+    ///
+    /// The stages are counted from zero.
     After(usize, u64),
 }
 
@@ -20,7 +21,7 @@ pub enum Place {
 #[derive(Serialize, Deserialize)]
 pub struct RunState {
     /// How far it has come.
-    pub place: Place,
+    pub reached: Reached,
     /// To which time, s.
     pub time: f64,
     /// Wall times so far.
