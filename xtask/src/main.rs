@@ -52,6 +52,8 @@ enum Task {
         #[arg(long)]
         write_expected: bool,
     },
+    /// Compare the package of every shipped scenario with the scenario's run (a quarter of an hour)
+    Packages,
     /// Count the instructions of a vehicle's step by its parts (needs valgrind)
     Instructions,
     /// The whole test run
@@ -80,6 +82,10 @@ fn main() -> Result<()> {
             }
             print!("{}", foot_study::table(&results)?);
             Ok(())
+        }
+        Task::Packages => {
+            fmus::build()?;
+            test::packages()
         }
         Task::Instructions => {
             print!("{}", instructions::table()?);

@@ -54,6 +54,13 @@ fn build() -> Result<()> {
     run(cargo().args(["build", "--release", "--workspace"]).args(targets))
 }
 
+/// The test of all shipped scenarios' packages, which is too long for every day.
+pub fn packages() -> Result<()> {
+    let test = "packages::property_packages_of_all_shipped_scenarios_give_their_bits";
+    let test = ["test", "--release", "-p", "hotfoot-tests", "--test", "system", test];
+    run(cargo().args(test).args(["--", "--ignored", "--nocapture"]))
+}
+
 /// The tests with the crate `fmi`, which generates its bindings with libclang: that of the Python
 /// environment, with the headers of the C compiler.
 fn importer(python: &Path) -> Result<()> {

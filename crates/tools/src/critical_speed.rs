@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use clap::Args;
+use numerics::constants::KILOMETRES_PER_HOUR;
 use vehicle::linear::Rolling;
 
 use crate::VehicleArgument;
@@ -56,7 +57,7 @@ pub fn critical_speed(arguments: &CriticalSpeedArguments) -> Result<String, Tool
             (Some((speed, frequency)), false) => writeln!(
                 text,
                 "{conicity:8.3}  {speed:6.1} m/s ({:5.0} km/h)  {frequency:6.2} Hz",
-                3.6 * speed
+                KILOMETRES_PER_HOUR * speed
             ),
             (None, true) => writeln!(text, "{conicity},,"),
             (None, false) => writeln!(text, "{conicity:8.3}  stable up to {greatest} m/s"),

@@ -21,7 +21,7 @@ impl Model for Synchronisation {
     const IDENTITY: Identity = Identity {
         name: "Hotfoot synchronisation",
         identifier: "synchronisation",
-        description: "PID controller that keeps a vehicle model at its place in the train model",
+        description: "PID controller that keeps a vehicle where the train model has it",
         default_step: 1e-3,
     };
 

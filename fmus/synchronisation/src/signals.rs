@@ -7,7 +7,7 @@ fmu::variables! {
         /// Motion of the vehicle model.
         vehicle: "vehicle", group(Motion) = "the vehicle model";
         /// Motion that the train model has where the vehicle is.
-        train: "train", group(Motion) = "its place in the train model";
+        train: "train", group(Motion) = "the vehicle in the train model";
         /// Gains and limit of the controller.
         gains: "", group(Gains);
         /// Force on the vehicle.

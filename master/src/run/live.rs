@@ -1,5 +1,7 @@
 //! What of a train is shown while it runs.
 
+use numerics::constants::KILOMETRES_PER_HOUR;
+
 use crate::system::step::System;
 use crate::system::tap::Tap;
 use crate::train::layout::Layout;
@@ -31,7 +33,7 @@ impl LiveFigures {
             forces.enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap_or_default();
         format!(
             ", {:.1} km/h, coupler {:.0} kN at {}",
-            system.value(speed) * 3.6,
+            system.value(speed) * KILOMETRES_PER_HOUR,
             coupler_force / 1e3,
             vehicle + 1,
         )

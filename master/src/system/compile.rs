@@ -4,7 +4,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::clock::Clock;
-use super::links::Gather;
+use super::links::Link;
 use super::part::Part;
 use super::step::System;
 use super::structure::{Component, Connection, Endpoint, Parameter, Sampling, Structure, Value};
@@ -45,7 +45,6 @@ pub fn compile(
         components: structure.components.iter().map(|c| (c.name.as_str(), c)).collect(),
         structure,
         system: System::new(clock, parts),
-        gathers: HashMap::new(),
         taken: HashSet::new(),
     };
     for connection in &structure.connections {
@@ -63,8 +62,6 @@ struct Linker<'s> {
     structure: &'s Structure,
     components: HashMap<&'s str, &'s Component>,
     system: System,
-    /// Stage and index in it of what a part takes from another: by giver and receiver.
-    gathers: HashMap<(usize, usize), usize>,
     /// Inputs that are connected: part, type, and value reference.
     taken: HashSet<(usize, u8, u32)>,
 }
@@ -132,12 +129,8 @@ impl Linker<'_> {
             part.samplings.resize(count, Sampling::Last);
             part.samplings[input] = sampling;
         }
-        let gathers = &mut stages[part.stage].gathers;
-        let index = *self.gathers.entry((giver, receiver)).or_insert_with(|| {
-            gathers.push(Gather::new(giver, receiver));
-            gathers.len() - 1
-        });
-        gathers[index].add(kind, (output, input), conversion, sampling);
+        let link = Link::new((giver, output), (receiver, input));
+        stages[part.stage].links.add(kind, link, conversion, sampling);
     }
 
     /// Conversion of units, then the transformation (SSP 1.0 §5.3.2).

@@ -1,104 +1,125 @@
-//! Connections as they run: what a part takes from another, as pairs of indices.
-
-use std::mem;
+//! Connections as they run: what the parts of a stage take from others, as indices.
 
 use super::part::Part;
 use super::structure::Sampling;
 use crate::interface::VariableType;
 use crate::interface::si::Linear;
 
-/// A pair of an output of the giver and an input of the receiver, by their indices.
-type Pair = (u32, u32);
-
-/// All that one part takes from another.
-#[derive(Debug, Default)]
-pub struct Gather {
+/// An output of a part that becomes an input of another, or of the same. Numbers of 32 bits halve the
+/// memory of the links, which every step reads.
+#[derive(Debug, Clone, Copy)]
+pub struct Link {
     /// Number of the part that gives.
-    pub giver: usize,
+    pub giver: u32,
+    /// Index of the output in the bank of its type.
+    pub output: u32,
     /// Number of the part that takes.
-    pub receiver: usize,
-    /// Reals that are taken as they are.
-    copied: Vec<Pair>,
-    /// Reals that are converted: of units, and by a transformation.
-    converted: Vec<(Pair, Linear)>,
-    /// Reals that are summed up until the receiver steps.
-    summed: Vec<(Pair, Linear)>,
-    integers: Vec<Pair>,
-    booleans: Vec<Pair>,
+    pub receiver: u32,
+    /// Index of the input in the bank of its type.
+    pub input: u32,
 }
 
-impl Gather {
-    /// Nothing yet from one part to another.
-    pub fn new(giver: usize, receiver: usize) -> Self {
-        Self { giver, receiver, ..Self::default() }
+/// All that the parts of a stage take.
+#[derive(Debug, Default)]
+pub struct Links {
+    /// Reals that are taken as they are.
+    copied: Vec<Link>,
+    /// Reals that are converted: of units, and by a transformation.
+    converted: Vec<(Link, Linear)>,
+    /// Reals that are summed up until the receiver steps.
+    summed: Vec<(Link, Linear)>,
+    integers: Vec<Link>,
+    booleans: Vec<Link>,
+}
+
+impl Link {
+    /// From an output of the giver to an input of the receiver, each given by number of its part and
+    /// index.
+    ///
+    /// # Panics
+    /// When there are 2³² parts or variables.
+    pub fn new((giver, output): (usize, usize), (receiver, input): (usize, usize)) -> Self {
+        let [giver, output, receiver, input] = [giver, output, receiver, input]
+            .map(|number| u32::try_from(number).expect("fewer than 2^32 parts and variables"));
+        Self { giver, output, receiver, input }
     }
 
-    /// Adds a link from an output to an input of the same type.
-    pub fn add(
-        &mut self,
-        kind: VariableType,
-        (output, input): (usize, usize),
-        conversion: Linear,
-        sampling: Sampling,
-    ) {
-        let pair = (index(output), index(input));
+    /// The output's part.
+    fn from<'p>(&self, parts: &'p [Part]) -> &'p Part {
+        &parts[self.giver as usize]
+    }
+
+    /// The input's part.
+    fn to<'p>(&self, parts: &'p mut [Part]) -> &'p mut Part {
+        &mut parts[self.receiver as usize]
+    }
+
+    /// The value of a Real output.
+    fn real(&self, parts: &[Part]) -> f64 {
+        self.from(parts).outputs.reals.values[self.output as usize]
+    }
+
+    /// Where a Real input stands.
+    fn real_input<'p>(&self, parts: &'p mut [Part]) -> &'p mut f64 {
+        &mut self.to(parts).inputs.reals.values[self.input as usize]
+    }
+}
+
+impl Links {
+    /// Adds a link of variables of the same type.
+    pub fn add(&mut self, kind: VariableType, link: Link, conversion: Linear, sampling: Sampling) {
         match kind {
             VariableType::Real if sampling != Sampling::Last => {
-                self.summed.push((pair, conversion));
+                self.summed.push((link, conversion));
             }
-            VariableType::Real if conversion.is_identity() => self.copied.push(pair),
-            VariableType::Real => self.converted.push((pair, conversion)),
-            VariableType::Integer => self.integers.push(pair),
-            VariableType::Boolean => self.booleans.push(pair),
+            VariableType::Real if conversion.is_identity() => self.copied.push(link),
+            VariableType::Real => self.converted.push((link, conversion)),
+            VariableType::Integer => self.integers.push(link),
+            VariableType::Boolean => self.booleans.push(link),
             VariableType::Text => {}
         }
     }
 
-    /// Takes over what the giver has, for the receiver's next step.
+    /// Takes over what the givers have, for the receivers' next step.
     pub fn pull(&self, parts: &mut [Part]) {
-        self.with(parts, |gather, outputs, receiver| {
-            for &((output, input), conversion) in &gather.summed {
-                let value = conversion.apply(outputs.reals.values[output as usize]);
-                receiver.sums[input as usize] += value;
-            }
-        });
+        self.copy(parts, |_| true);
+        for (link, conversion) in &self.summed {
+            let value = conversion.apply(link.real(parts));
+            link.to(parts).sums[link.input as usize] += value;
+        }
     }
 
-    /// Takes over what the giver has at one instant, with nothing summed up.
-    pub fn pull_at_start(&self, parts: &mut [Part]) {
-        self.with(parts, |gather, outputs, receiver| {
-            for &((output, input), conversion) in &gather.summed {
-                let value = conversion.apply(outputs.reals.values[output as usize]);
-                receiver.inputs.reals.values[input as usize] = value;
-            }
-        });
+    /// Takes over what the givers have at one instant, with nothing summed up, for the receivers that
+    /// are `ready`, by their numbers.
+    pub fn pull_at_start(&self, parts: &mut [Part], ready: impl Fn(usize) -> bool) {
+        let is_ready = |link: &Link| ready(link.receiver as usize);
+        self.copy(parts, is_ready);
+        for (link, conversion) in self.summed.iter().filter(|(link, _)| is_ready(link)) {
+            *link.real_input(parts) = conversion.apply(link.real(parts));
+        }
     }
 
-    /// Takes over the last values, and what is summed up as `sum` says.
-    fn with(&self, parts: &mut [Part], sum: impl Fn(&Self, &super::signals::Signals, &mut Part)) {
-        // A part may take from itself.
-        let outputs = mem::take(&mut parts[self.giver].outputs);
-        let receiver = &mut parts[self.receiver];
-        let inputs = &mut receiver.inputs;
-        for &(output, input) in &self.copied {
-            inputs.reals.values[input as usize] = outputs.reals.values[output as usize];
+    /// Takes over the last values of what is not summed up, by the links that are wanted.
+    fn copy(&self, parts: &mut [Part], wanted: impl Fn(&Link) -> bool) {
+        for link in self.copied.iter().filter(|link| wanted(link)) {
+            *link.real_input(parts) = link.real(parts);
         }
-        for &((output, input), conversion) in &self.converted {
-            let value = conversion.apply(outputs.reals.values[output as usize]);
-            inputs.reals.values[input as usize] = value;
+        for (link, conversion) in self.converted.iter().filter(|(link, _)| wanted(link)) {
+            *link.real_input(parts) = conversion.apply(link.real(parts));
         }
-        for &(output, input) in &self.integers {
-            inputs.integers.values[input as usize] = outputs.integers.values[output as usize];
+        for link in self.integers.iter().filter(|link| wanted(link)) {
+            let value = link.from(parts).outputs.integers.values[link.output as usize];
+            link.to(parts).inputs.integers.values[link.input as usize] = value;
         }
-        for &(output, input) in &self.booleans {
-            inputs.booleans.values[input as usize] = outputs.booleans.values[output as usize];
+        for link in self.booleans.iter().filter(|link| wanted(link)) {
+            let value = link.from(parts).outputs.booleans.values[link.output as usize];
+            link.to(parts).inputs.booleans.values[link.input as usize] = value;
         }
-        sum(self, &outputs, receiver);
-        parts[self.giver].outputs = outputs;
     }
-}
 
-/// An index of 32 bits: half the memory of the links, which every step reads.
-fn index(index: usize) -> u32 {
-    u32::try_from(index).expect("fewer than 2^32 variables")
+    /// All links.
+    pub fn iter(&self) -> impl Iterator<Item = &Link> {
+        let converted = self.converted.iter().chain(&self.summed).map(|(link, _)| link);
+        self.copied.iter().chain(converted).chain(&self.integers).chain(&self.booleans)
+    }
 }

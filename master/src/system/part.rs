@@ -31,8 +31,6 @@ pub struct Part {
     pub(super) sums: Vec<f64>,
     /// What becomes of the sum of each of them.
     pub(super) samplings: Vec<Sampling>,
-    /// Communication points in the sums.
-    pub(super) points: u64,
 }
 
 /// All that changes of a part while a system runs.
@@ -61,7 +59,6 @@ impl Part {
             wall: Duration::ZERO,
             sums: vec![],
             samplings: vec![],
-            points: 0,
         }
     }
 
@@ -99,17 +96,15 @@ impl Part {
 
     /// Turns the sums into the inputs of the next step and begins new ones.
     fn form_means(&mut self) {
-        let points = self.points as f64;
         let sums = self.sums.iter_mut().zip(&self.samplings);
         for (input, (sum, sampling)) in self.inputs.reals.values.iter_mut().zip(sums) {
             match sampling {
                 Sampling::Last => continue,
-                Sampling::Mean => *input = *sum / points,
+                Sampling::Mean => *input = *sum / self.every as f64,
                 Sampling::Sum => *input = *sum,
             }
             *sum = 0.0;
         }
-        self.points = 0;
     }
 
     /// What another run needs to go on from here.

@@ -112,16 +112,14 @@ impl System {
     /// Hands the values of the parts that are `known` to the parts of a stage whose givers are all
     /// known, and gives for each part of the stage the inputs that have changed.
     fn take(&mut self, stage: usize, known: &[bool]) -> Vec<Vec<(VariableType, usize)>> {
-        let Stage { parts, gathers, .. } = &self.stages[stage];
+        let Stage { parts, links, .. } = &self.stages[stage];
         let before: Vec<Signals> =
             self.parts[parts.clone()].iter().map(|part| part.inputs.clone()).collect();
         let mut waits = vec![false; self.parts.len()];
-        for gather in gathers {
-            waits[gather.receiver] |= !known[gather.giver];
+        for link in links.iter() {
+            waits[link.receiver as usize] |= !known[link.giver as usize];
         }
-        for gather in gathers.iter().filter(|gather| !waits[gather.receiver]) {
-            gather.pull_at_start(&mut self.parts);
-        }
+        links.pull_at_start(&mut self.parts, |receiver| !waits[receiver]);
         let changed = |(number, before): (usize, &Signals)| match waits[number] {
             true => vec![],
             false => self.parts[number].inputs.changed_since(before),

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::clock::Clock;
-use super::links::Gather;
+use super::links::Links;
 use super::parallel;
 use super::part::{Part, PartState};
 use super::times::{StepTimes, Stopwatch};
@@ -36,7 +36,7 @@ pub(super) struct Stage {
     /// How many of these there are.
     pub brief: usize,
     /// What its parts take.
-    pub gathers: Vec<Gather>,
+    pub links: Links,
 }
 
 impl System {
@@ -50,7 +50,7 @@ impl System {
             let begin = parts.partition_point(|part| part.stage < stage);
             let end = parts.partition_point(|part| part.stage <= stage);
             let brief = parts[begin..end].partition_point(|part| part.unit.is_brief());
-            Stage { parts: begin..end, brief, gathers: vec![] }
+            Stage { parts: begin..end, brief, links: Links::default() }
         };
         let stages: Vec<_> = (0..count).map(stage).collect();
         Self { clock, stages, times: StepTimes::of(count), numbers, parts }
@@ -64,7 +64,7 @@ impl System {
         let clock = self.clock;
         for (stage, time) in self.stages.iter().zip(&mut self.times.stages) {
             let mut watch = Stopwatch::start();
-            stage.pull(&mut self.parts);
+            stage.links.pull(&mut self.parts);
             self.times.exchange += watch.lap();
             let parts = &mut self.parts[stage.parts.clone()];
             let (brief, long) = parts.split_at_mut(stage.brief);
@@ -112,18 +112,5 @@ impl System {
     /// All units, in the order of the parts.
     pub fn units_mut(&mut self) -> impl Iterator<Item = &mut Box<dyn Unit>> {
         self.parts.iter_mut().map(|part| &mut part.unit)
-    }
-}
-
-impl Stage {
-    /// Takes over what the stage's parts need for the step. Those that step less often than the
-    /// exchange sum up at every communication point.
-    fn pull(&self, parts: &mut [Part]) {
-        for gather in &self.gathers {
-            gather.pull(parts);
-        }
-        for part in &mut parts[self.parts.clone()] {
-            part.points += 1;
-        }
     }
 }

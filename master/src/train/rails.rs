@@ -1,5 +1,7 @@
 //! The components of the rails that a scenario heats, with their parameters.
 
+use numerics::constants::RAIL_LATERAL_POSITION;
+
 use super::error::PrepareError;
 use super::fmus::check_instances;
 use super::layout::RailHolder;
@@ -15,9 +17,8 @@ use crate::system::step::System;
 use crate::system::structure::{Parameter, Value};
 use crate::system::unit::UnitError;
 
-/// Distance of each rail to the right of the track's middle on standard gauge, m: half of 1435 mm and of
-/// a head of 72 mm.
-const LATERAL_POSITION: [f64; 2] = [-0.7535, 0.7535];
+/// Distance of each rail to the right of the track's middle on standard gauge, m.
+const LATERAL_POSITION: [f64; 2] = [-RAIL_LATERAL_POSITION, RAIL_LATERAL_POSITION];
 
 impl Builder<'_> {
     /// A component for each heated rail.

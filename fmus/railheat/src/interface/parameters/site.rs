@@ -20,7 +20,7 @@ fmu::variables! {
     /// What only `model = "energy"` has of the site.
     pub(crate) struct SiteParameters: parameter {
         /// Date and time at the time zero with offset from universal time, such as
-        /// 2018-06-21T14:30:00+10:00: the sun's place is computed; empty: the sun stands where the
+        /// 2018-06-21T14:30:00+10:00: the sun's direction is computed; empty: the sun stands where the
         /// inputs or the weather file say
         date_time: "site.date_time", String = "";
         /// Track whose curves turn the running direction; empty: track.toml in the resources if there

@@ -27,7 +27,7 @@ fmu::variables! {
         /// the plane of the rails
         lateral: "lateral", METRE_PER_SECOND_SQUARED;
         /// Acceleration less gravity at the body's centre of mass in the last step, down, square to
-        /// that plane; -9.81 m/s2 at rest
+        /// that plane; -9.80665 m/s2 at rest
         vertical: "vertical", METRE_PER_SECOND_SQUARED;
     }
 }
