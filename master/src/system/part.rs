@@ -43,7 +43,6 @@ pub struct PartState {
     outputs: Signals,
     wall: Duration,
     sums: Vec<f64>,
-    points: u64,
 }
 
 impl Part {
@@ -118,7 +117,6 @@ impl Part {
             outputs: self.outputs.clone(),
             wall: self.wall,
             sums: self.sums.clone(),
-            points: self.points,
         })
     }
 
@@ -127,7 +125,7 @@ impl Part {
     /// # Errors
     /// When the unit refuses, or it was saved by another part.
     pub fn restore(&mut self, saved: PartState) -> Result<(), UnitError> {
-        let PartState { unit, inputs, outputs, wall, sums, points } = saved;
+        let PartState { unit, inputs, outputs, wall, sums } = saved;
         let same = inputs.has_variables_of(&self.inputs)
             && outputs.has_variables_of(&self.outputs)
             && sums.len() == self.sums.len();
@@ -136,7 +134,7 @@ impl Part {
         }
         self.unit.restore(&unit)?;
         (self.inputs, self.outputs, self.sums) = (inputs, outputs, sums);
-        (self.wall, self.points) = (wall, points);
+        self.wall = wall;
         Ok(())
     }
 
