@@ -100,7 +100,8 @@ pub fn resume(results: &Path, options: &Options) -> Result<Finished, RunError> {
     let order = checkpoint::order_of(results)?;
     let options = Options {
         threads: options.threads,
-        results: Some(results.to_owned()),
+        // As it was written then: FMUs have it in their states.
+        results: Some(order.results),
         fmus: order.fmus,
         times: order.times,
         quiet: options.quiet,

@@ -135,6 +135,8 @@ pub fn resume(order: &Order) -> Result<Beginning, CheckpointError> {
             Ok(state) => state,
             Err(reason) => {
                 notes.push(format!("{} is not taken: {reason}", path.display()));
+                // It must not count as one of those that are kept.
+                fs::remove_file(path).map_err(FileError::at(path))?;
                 continue;
             }
         };
@@ -195,6 +197,9 @@ impl Checkpoints {
     /// # Errors
     /// When that fails.
     pub fn remove(self) -> Result<(), CheckpointError> {
+        // The order first: without it there is nothing to go on with, whatever else may be left.
+        let order = self.folder.join(order::NAME);
+        fs::remove_file(&order).map_err(FileError::at(&order))?;
         Ok(fs::remove_dir_all(&self.folder).map_err(FileError::at(&self.folder))?)
     }
 }

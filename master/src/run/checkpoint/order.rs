@@ -112,8 +112,8 @@ impl Order {
         if self.hotfoot != PROGRAM {
             return changed(format!("it was begun by hotfoot {}, this is {PROGRAM}", self.hotfoot));
         }
-        let absolute = std::path::absolute(results).map_err(FileError::at(results))?;
-        if absolute != self.results {
+        let folder = |path: &Path| fs::canonicalize(path).map_err(FileError::at(path));
+        if folder(&self.results).ok() != Some(folder(results)?) {
             let before = self.results.display();
             return changed(format!("its folder was {before}; move it back there"));
         }
