@@ -4,7 +4,7 @@
 use std::process::Command;
 
 fn main() {
-    let shims = ["src/fmi/logger.c", "src/fmi/crash.c"];
+    let shims = ["src/fmi/logger.c", "src/fmi/watched/crash.c"];
     for shim in shims {
         println!("cargo::rerun-if-changed={shim}");
     }

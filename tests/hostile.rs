@@ -14,7 +14,7 @@ use hotfoot_tests::hostile::{Claims, archive, hostile_vehicle};
 use zip::write::SimpleFileOptions;
 
 /// A train whose second vehicle is the hostile one, for 0.1 s, recorded every 0.01 s.
-fn scenario(behaviour: &str, claims: &Claims) -> SmallScenario {
+pub fn scenario(behaviour: &str, claims: &Claims) -> SmallScenario {
     let mut scenario = SmallScenario::new(0.1);
     hostile_vehicle(scenario.folder.path(), behaviour, claims);
     scenario.text += "\n[record]\ninterval_s = 0.01\n\
@@ -22,38 +22,38 @@ fn scenario(behaviour: &str, claims: &Claims) -> SmallScenario {
     scenario
 }
 
-fn run(behaviour: &str) -> (SmallScenario, Output) {
+pub fn run(behaviour: &str) -> (SmallScenario, Output) {
     let scenario = scenario(behaviour, &Claims::default());
     let output = scenario.run(&[]);
     (scenario, output)
 }
 
-fn text(bytes: &[u8]) -> String {
+pub fn text(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes).into_owned();
     text.replace(['│', '×'], " ").split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// What a run that must end early says, on one line.
-fn refusal(output: &Output) -> String {
+pub fn refusal(output: &Output) -> String {
     assert!(!output.status.success(), "the run succeeded");
     text(&output.stderr)
 }
 
-fn assert_says(message: &str, parts: &[&str]) {
+pub fn assert_says(message: &str, parts: &[&str]) {
     for part in parts {
         assert!(message.contains(part), "'{part}' is missing in: {message}");
     }
 }
 
 /// The times at which the vehicles were recorded.
-fn recorded(scenario: &SmallScenario) -> Vec<f64> {
+pub fn recorded(scenario: &SmallScenario) -> Vec<f64> {
     let series = scenario.results().join("series");
     let reader = SeriesReader::open(&series, "vehicles").unwrap();
     reader.read("time", &[("vehicle", KeyValue::Integer(5))]).unwrap()
 }
 
 /// The instants before the vehicle misbehaves at 0.05 s, to the bit.
-fn until_trouble() -> Vec<f64> {
+pub fn until_trouble() -> Vec<f64> {
     (0..=5).map(|record| f64::from(record * 10) * 1e-3).collect()
 }
 

@@ -5,11 +5,13 @@
 //! | `command_line.rs` | answers to wrong input |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `documents.rs` | what README, licences and vocabulary say |
+//! | `ends.rs`, `ends/` | every end of a run |
 //! | `error_messages.rs` | each sentence of an error comes once |
 //! | `examples.rs` | the examples |
 //! | `facts.rs` | what the manifest states against what the units have |
 //! | `field_lost.rs` | a temperature field that is lost in a run |
 //! | `fmu_check.rs` | `hotfoot check` |
+//! | `fmu_kinds.rs` | FMUs as other tools write them |
 //! | `force_balance.rs` | forces balance between the models |
 //! | `heat_input.rs` | wrong input of the rail heat |
 //! | `hostile.rs` | FMUs that misbehave in a train |
@@ -20,7 +22,9 @@
 //! | `profile_files.rs` | profiles of vehicle files |
 //! | `rails.rs` | the heated rails |
 //! | `resume.rs` | runs that go on from a checkpoint |
+//! | `seam.rs` | FMUs that misbehave at the seam: values, memory, threads, messages |
 //! | `scenarios.rs` | every shipped scenario |
+//! | `ssp_kinds.rs` | packages as other tools write them |
 //! | `synchronisation.rs` | the controller in the whole loop |
 //! | `tools.rs` | the engineering commands |
 //!
@@ -30,11 +34,13 @@
 mod command_line;
 mod determinism;
 mod documents;
+mod ends;
 mod error_messages;
 mod examples;
 mod facts;
 mod field_lost;
 mod fmu_check;
+mod fmu_kinds;
 mod force_balance;
 mod heat_input;
 mod hostile;
@@ -46,5 +52,7 @@ mod profile_files;
 mod rails;
 mod resume;
 mod scenarios;
+mod seam;
+mod ssp_kinds;
 mod synchronisation;
 mod tools;

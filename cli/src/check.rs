@@ -9,7 +9,9 @@ use hotfoot::check::reference::{self, Verdict};
 use hotfoot::check::{self, Severity, rules};
 use hotfoot::roles;
 
-use crate::supervise;
+use crate::output::print;
+use crate::supervise::limits::Limits;
+use crate::supervise::{child, command_in_child};
 
 /// Arguments of `hotfoot check`.
 #[derive(Args)]
@@ -26,6 +28,8 @@ pub struct CheckArguments {
     /// List the rules for a modelDescription.xml and do nothing else
     #[arg(long)]
     rules: bool,
+    #[command(flatten)]
+    limits: Limits,
 }
 
 /// What an FMU does in a run.
@@ -54,34 +58,32 @@ impl From<Role> for roles::Role {
 /// # Errors
 /// When a rule is broken, the FMU does not fit the role, or it gives another result; the error
 /// says all that was found.
-pub fn check(arguments: &CheckArguments) -> Result<()> {
+pub fn check(arguments: &CheckArguments) -> Result<u8> {
     if arguments.rules {
         for rule in rules() {
-            println!("{:<32} {}", rule.name, rule.wants);
+            print(format_args!("{:<32} {}", rule.name, rule.wants))?;
         }
-        return Ok(());
+        return Ok(0);
     }
-    let Some(fmu) = &arguments.fmu else { return Ok(()) };
+    let Some(fmu) = &arguments.fmu else { return Ok(0) };
     files::exists(fmu)?;
-    match supervise::is_child() {
-        true => check_here(fmu, arguments),
-        false => {
-            supervise::in_child(&[], || Err(anyhow!("{} has crashed the check", fmu.display())))
-        }
+    match child::own() {
+        Some(_) => check_here(fmu, arguments).map(|()| 0),
+        None => command_in_child(&arguments.limits),
     }
 }
 
 fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {
-    let mut problems = broken_rules(fmu);
+    let mut problems = broken_rules(fmu)?;
     if problems.is_empty() {
-        println!("{} keeps the rules of FMI 2.0", fmu.display());
+        print(format_args!("{} keeps the rules of FMI 2.0", fmu.display()))?;
     }
     if let Some(role) = arguments.role {
         problems.extend(unfit(fmu, role)?);
     }
     if arguments.replay {
         match reference::compare(fmu)? {
-            Verdict::Same(agreement) => println!("{agreement}"),
+            Verdict::Same(agreement) => print(agreement)?,
             Verdict::Different(differences) => problems.extend(differences),
         }
     }
@@ -92,21 +94,20 @@ fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {
 }
 
 /// The rules that are broken; advice is printed at once, as it makes no FMU wrong.
-fn broken_rules(fmu: &Path) -> Vec<String> {
+fn broken_rules(fmu: &Path) -> Result<Vec<String>> {
     let (advice, errors): (Vec<_>, Vec<_>) =
         check::check(fmu).into_iter().partition(|finding| finding.severity == Severity::Advice);
     for finding in advice {
-        println!("{finding}");
+        print(finding)?;
     }
-    errors.iter().map(ToString::to_string).collect()
+    Ok(errors.iter().map(ToString::to_string).collect())
 }
 
 /// What the FMU lacks for a role.
 fn unfit(fmu: &Path, role: Role) -> Result<Vec<String>> {
-    let import = Import::open(fmu)?;
-    let missing = roles::missing(import.interface(), role.into());
+    let missing = roles::missing(&Import::interface_of(fmu)?, role.into());
     if missing.is_empty() {
-        println!("{} can be used as {role:?}", fmu.display());
+        print(format_args!("{} can be used as {role:?}", fmu.display()))?;
         return Ok(vec![]);
     }
     let heading = format!("it cannot be used as {role:?}:");

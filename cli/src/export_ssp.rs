@@ -6,7 +6,10 @@ use anyhow::Result;
 use clap::Args;
 use hotfoot::run::{Exported, export, workplace};
 
+use crate::output::print;
 use crate::run::default_fmus;
+use crate::supervise::limits::Limits;
+use crate::supervise::{child, command_in_child};
 
 /// Arguments of `hotfoot export-ssp`.
 #[derive(Args)]
@@ -19,18 +22,28 @@ pub struct ExportArguments {
     /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
     #[arg(long)]
     fmus: Option<PathBuf>,
+    #[command(flatten)]
+    limits: Limits,
 }
 
-/// Writes a scenario's train as an SSP package, and tells what is in it.
+/// Writes a scenario's train as an SSP package, in a child process, and tells what is in it.
+/// Gives the exit code.
 ///
 /// # Errors
 /// When the scenario is wrong, a unit fails, or the package cannot be written.
-pub fn export_ssp(arguments: &ExportArguments) -> Result<()> {
+pub fn export_ssp(arguments: &ExportArguments) -> Result<u8> {
+    match child::own() {
+        Some(_) => export_here(arguments).map(|()| 0),
+        None => command_in_child(&arguments.limits),
+    }
+}
+
+fn export_here(arguments: &ExportArguments) -> Result<()> {
     let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
     let name = || workplace::scenario_name(&arguments.scenario);
     let target = arguments.output.clone().unwrap_or_else(|| format!("{}.ssp", name()).into());
     let exported = export(&arguments.scenario, &fmus, &target)?;
     let Exported { components, connections } = exported;
-    println!("{}: {components} components, {connections} connections", target.display());
-    Ok(())
+    let target = target.display();
+    print(format_args!("{target}: {components} components, {connections} connections"))
 }

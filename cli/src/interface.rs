@@ -3,7 +3,10 @@
 use std::path::Path;
 
 use anyhow::Result;
-use hotfoot::{Interface, archive, scenario};
+use hotfoot::{Interface, archive, scenario, xml_text};
+
+use crate::output::{print, write};
+use crate::supervise::temporary::Temporary;
 
 /// Lists the variables of an FMU, or prints its model description.
 ///
@@ -11,18 +14,17 @@ use hotfoot::{Interface, archive, scenario};
 /// When the FMU cannot be read.
 pub fn interface(fmu: &Path, xml: bool) -> Result<()> {
     files::exists(fmu)?;
-    let folder = tempfile::tempdir()?;
+    let folder = Temporary::new()?;
     archive::unpack(fmu, folder.path())?;
     let file = folder.path().join("modelDescription.xml");
-    let text = std::fs::read_to_string(file)?;
+    let text = xml_text::read(&file)?;
     if xml {
-        print!("{text}");
-        return Ok(());
+        return write(text);
     }
     let interface = Interface::from_xml(&text)?;
     for variable in interface.variables() {
         let unit = variable.unit.as_deref().unwrap_or("");
-        println!("{:<9} {:<52} {unit}", variable.causality, variable.name);
+        print(format_args!("{:<9} {:<52} {unit}", variable.causality, variable.name))?;
     }
     Ok(())
 }
@@ -33,6 +35,5 @@ pub fn interface(fmu: &Path, xml: bool) -> Result<()> {
 /// Never in practice.
 pub fn schema() -> Result<()> {
     let schema = schemars::schema_for!(scenario::Scenario);
-    println!("{}", serde_json::to_string_pretty(&schema)?);
-    Ok(())
+    print(serde_json::to_string_pretty(&schema)?)
 }

@@ -3,13 +3,13 @@
 //! | file | commands |
 //! |---|---|
 //! | `run.rs` | `run` |
-//! | `supervise.rs` | a command in a child process, which an FMU may crash |
+//! | `supervise/` | a command in a child process, which an FMU may crash |
 //! | `export_ssp.rs`, `pack.rs`, `check.rs` | the commands of the same names |
 //! | `wiring.rs` | `wiring` |
 //! | `results.rs` | `report`, `expect` |
 //! | `interface.rs` | `interface`, `schema` |
 //! | `examples.rs` | the examples in their help |
-//! | `message.rs` | the message of an error |
+//! | `output.rs`, `message.rs` | what is printed, and the message of an error |
 //!
 //! `modes`, `contact`, `creep` and `critical-speed` stand in the library `tools` (`crates/tools`).
 
@@ -18,6 +18,7 @@ mod examples;
 mod export_ssp;
 mod interface;
 mod message;
+mod output;
 mod pack;
 mod results;
 mod run;
@@ -27,10 +28,13 @@ mod wiring;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use anyhow::{Context, Result};
 use clap::{Parser, Subcommand};
 use tools::{ToolError, contact, creep, critical_speed, modes};
 
 use crate::message::message;
+use crate::output::{is_closed_pipe, tell};
+use crate::supervise::child;
 
 /// Full-train co-simulation of in-train forces, wheel-rail contact and rail-foot heat.
 #[derive(Parser)]
@@ -98,37 +102,60 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    match carry_out(Arguments::parse().command) {
-        Ok(()) => ExitCode::SUCCESS,
+    if let Err(reason) = child::begin() {
+        tell(format_args!("Error: {reason}"));
+        return ExitCode::FAILURE;
+    }
+    let code = match Arguments::try_parse() {
+        Ok(arguments) => outcome(carry_out(arguments.command)),
+        // Help, the version, or what is wrong with the arguments.
+        Err(answer) => {
+            let code = u8::try_from(answer.exit_code()).unwrap_or(1);
+            outcome(answer.print().context("the answer cannot be written").map(|()| code))
+        }
+    };
+    if let Some(child) = child::own() {
+        child.finish(code);
+        hotfoot::note_unloading();
+    }
+    ExitCode::from(code)
+}
+
+/// The exit code of what was done; an error is told. That nobody reads any more is none.
+fn outcome(done: Result<u8>) -> u8 {
+    match done {
+        Ok(code) => code,
+        Err(error) if is_closed_pipe(&error) => 0,
         Err(error) => {
-            eprintln!("Error: {}", message(&error));
-            ExitCode::FAILURE
+            tell(format_args!("Error: {}", message(&error)));
+            1
         }
     }
 }
 
-fn carry_out(command: Command) -> anyhow::Result<()> {
-    match command {
-        Command::Run(arguments) => run::run(&arguments),
-        Command::ExportSsp(arguments) => export_ssp::export_ssp(&arguments),
-        Command::Wiring(arguments) => wiring::print(&arguments),
+/// Carries a command out, and gives its exit code.
+fn carry_out(command: Command) -> Result<u8> {
+    let done = match command {
+        Command::Run(arguments) => return run::run(&arguments),
+        Command::ExportSsp(arguments) => return export_ssp::export_ssp(&arguments),
+        Command::Wiring(arguments) => return wiring::print(&arguments),
+        Command::Check(arguments) => return check::check(&arguments),
+        Command::Pack(arguments) => return pack::pack(&arguments),
         Command::Report { results } => results::report(&results),
         Command::Expect { results, expected } => results::expect(&results, &expected),
-        Command::Check(arguments) => check::check(&arguments),
-        Command::Pack(arguments) => pack::pack(&arguments),
         Command::Interface { fmu, xml } => interface::interface(&fmu, xml),
         Command::Schema => interface::schema(),
         Command::Modes(arguments) => print(modes::modes(&arguments)),
         Command::Contact(arguments) => print(contact::contact(&arguments)),
         Command::Creep(arguments) => print(creep::creep(&arguments)),
         Command::CriticalSpeed(arguments) => print(critical_speed::critical_speed(&arguments)),
-    }
+    };
+    done.map(|()| 0)
 }
 
 /// Prints what an engineering command answers.
-fn print(answer: Result<String, ToolError>) -> anyhow::Result<()> {
-    print!("{}", answer?);
-    Ok(())
+fn print(answer: Result<String, ToolError>) -> Result<()> {
+    output::write(answer?)
 }
 
 #[cfg(test)]

@@ -7,6 +7,9 @@ use clap::Args;
 use hotfoot::check::reference;
 use hotfoot::pack::{self, Binary};
 
+use crate::supervise::limits::Limits;
+use crate::supervise::{child, command_in_child};
+
 /// Arguments of `hotfoot pack`.
 #[derive(Args)]
 pub struct PackArguments {
@@ -27,14 +30,23 @@ pub struct PackArguments {
     /// FMU to write
     #[arg(long, short)]
     output: PathBuf,
+    #[command(flatten)]
+    limits: Limits,
 }
 
-/// Packs an FMU.
+/// Packs an FMU, in a child process since its binary is called. Gives the exit code.
 ///
 /// # Errors
 /// When files are missing, or the model refuses the resources.
-pub fn pack(arguments: &PackArguments) -> Result<()> {
+pub fn pack(arguments: &PackArguments) -> Result<u8> {
     files::exists(&arguments.binary)?;
+    match child::own() {
+        Some(_) => pack_here(arguments).map(|()| 0),
+        None => command_in_child(&arguments.limits),
+    }
+}
+
+fn pack_here(arguments: &PackArguments) -> Result<()> {
     let folder = tempfile::tempdir()?;
     if let Some(resources) = &arguments.resources {
         pack::copy_folder(resources, folder.path())?;

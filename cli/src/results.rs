@@ -5,16 +5,43 @@ use std::path::Path;
 use anyhow::{Result, bail, ensure};
 use hotfoot::report;
 use hotfoot::run::expected;
+use hotfoot::run::folder::claim::{Owner, owner, release};
+use hotfoot::run::folder::complete::{complete, is_complete};
+use hotfoot::run::manifest::{End, Ended};
 
-/// Makes the report of a results folder again.
+use crate::output::{print, tell};
+use crate::supervise::temporary;
+
+/// Makes the report of a results folder again, and completes the results of a run that was killed.
 ///
 /// # Errors
 /// When the folder is not one that a run has written.
 pub fn report(results: &Path) -> Result<()> {
+    temporary::clean_up();
+    files::exists(results)?;
+    let owner = owner(results)?;
+    let recorded_nothing = || format!("{}: the run has recorded nothing", results.display());
+    ensure!(owner == Owner::None || results.join("series").exists(), recorded_nothing());
     check_folder(results)?;
-    let (file, _) = report::write(results)?;
-    println!("{}", file.display());
-    Ok(())
+    match owner {
+        Owner::Living => {
+            tell("note: the run goes on; the report shows what is recorded until now");
+            report::write(results)?;
+        }
+        Owner::None if is_complete(results)? => {
+            report::write(results)?;
+        }
+        owner => {
+            let ended = match owner {
+                Owner::Dead => Ended::because(End::Killed, "the program of the run was killed"),
+                _ => Ended::because(End::Failed, "the run could not complete its results"),
+            };
+            let recorded = complete(results, ended)?;
+            ensure!(recorded.is_some(), recorded_nothing());
+            release(results);
+        }
+    }
+    print(results.join("report.html").display())
 }
 
 /// Says how the figures of a run compare with those expected of its scenario.
@@ -24,7 +51,7 @@ pub fn report(results: &Path) -> Result<()> {
 pub fn expect(results: &Path, expected: &Path) -> Result<()> {
     check_folder(results)?;
     let comparisons = expected::compare(results, expected)?;
-    comparisons.iter().for_each(|comparison| println!("{comparison}"));
+    comparisons.iter().try_for_each(print)?;
     match comparisons.iter().filter(|comparison| !comparison.agrees()).count() {
         0 => Ok(()),
         count => bail!("{count} of {} figures differ", comparisons.len()),

@@ -2,26 +2,34 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, anyhow, bail};
-use clap::Args;
-use hotfoot::recording;
-use hotfoot::run::{self, Options, workplace};
+use anyhow::{Result, anyhow};
+use clap::{Args, ValueEnum};
+use hotfoot::run::folder::claim::Claim;
+use hotfoot::run::folder::complete::complete;
+use hotfoot::run::manifest::{self, Ended};
+use hotfoot::run::{self, Options};
 use hotfoot::scenario::Times;
 use tools::number::{count, positive};
 
-use crate::supervise;
+use crate::output::{self, tell};
+use crate::supervise::child::{self, Child};
+use crate::supervise::limits::Limits;
+use crate::supervise::{self, Blame, End, exit_code};
 
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
 pub struct RunArguments {
-    /// Scenario: its folder or file; or an SSP package of any FMUs
+    /// Scenario: its folder or file; or any FMUs: an SSP package (.ssp, its folder, or .ssd), or one .fmu
     #[arg(required_unless_present = "resume")]
     scenario: Option<PathBuf>,
     /// Go on with the run in this folder of results from its last checkpoint, as it was ordered
     #[arg(
         long,
         value_name = "RESULTS",
-        conflicts_with_all = ["scenario", "results", "fmus", "duration", "step", "interval", "checkpoint"]
+        conflicts_with_all = [
+            "scenario", "results", "overwrite", "fmus", "duration", "step", "interval", "checkpoint", "tolerance",
+            "checks", "same_thread",
+        ]
     )]
     resume: Option<PathBuf>,
     /// Threads for the vehicles; left out: all cores
@@ -30,6 +38,9 @@ pub struct RunArguments {
     /// Folder of the results; left out: a new one in `results`
     #[arg(long, short, alias = "output", short_alias = 'o')]
     results: Option<PathBuf>,
+    /// Replace the results of an earlier run in that folder
+    #[arg(long)]
+    overwrite: bool,
     /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
     #[arg(long)]
     fmus: Option<PathBuf>,
@@ -46,9 +57,42 @@ pub struct RunArguments {
     /// written
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     checkpoint: Option<f64>,
+    /// Relative tolerance for the solvers of the FMUs in place of what each proposes, such as 1e-6
+    #[arg(long, value_name = "TOLERANCE", value_parser = positive)]
+    tolerance: Option<f64>,
+    /// What becomes of values that FMUs give and that cannot be, in place of the scenario's `checks`; left out:
+    /// a value that is not finite ends the run, and one out of its range is a warning
+    #[arg(long, value_enum)]
+    checks: Option<Checks>,
+    /// Call each FMU of an SSP package, and each that the scenario names, on a thread of its own
+    #[arg(long)]
+    same_thread: bool,
     /// Show no progress
     #[arg(long)]
     quiet: bool,
+    #[command(flatten)]
+    limits: Limits,
+}
+
+/// What becomes of values that cannot be.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Checks {
+    /// They end the run
+    Error,
+    /// They are warnings, the first time for each variable
+    Warn,
+    /// They are not looked for
+    Off,
+}
+
+impl From<Checks> for hotfoot::Checks {
+    fn from(checks: Checks) -> Self {
+        match checks {
+            Checks::Error => Self::Error,
+            Checks::Warn => Self::Warn,
+            Checks::Off => Self::Off,
+        }
+    }
 }
 
 impl RunArguments {
@@ -59,39 +103,83 @@ impl RunArguments {
 }
 
 /// Runs a scenario in a child process, tells where the results are, and the main figures.
+/// Gives the exit code.
 ///
 /// # Errors
-/// When the scenario is wrong, a unit fails or crashes.
-pub fn run(arguments: &RunArguments) -> Result<()> {
-    if let Some(results) = arguments.results.as_ref().filter(|results| results.is_file()) {
-        bail!("--results {}: is a file, where a folder is needed", results.display());
+/// When the scenario is wrong, or a unit fails or crashes.
+pub fn run(arguments: &RunArguments) -> Result<u8> {
+    match child::own() {
+        Some(child) => run_here(arguments, child),
+        None => run_in_child(arguments),
     }
-    if supervise::is_child() {
-        return run_here(arguments);
-    }
-    let stated = arguments.results.as_ref().or(arguments.resume.as_ref());
-    let results = stated.cloned().unwrap_or_else(|| workplace::new_results(arguments.scenario()));
-    let further = match stated {
-        Some(_) => vec![],
-        None => vec!["--results".into(), results.clone().into_os_string()],
-    };
-    supervise::in_child(&further, || {
-        let series = results.join("series");
-        if !series.exists() {
-            bail!("an FMU has crashed the run before anything was recorded");
-        }
-        recording::complete(&series)?;
-        Err(anyhow!(
-            "an FMU has crashed the run; the results until then are in {}",
-            results.display()
-        ))
-    })
 }
 
-fn run_here(arguments: &RunArguments) -> Result<()> {
+fn run_in_child(arguments: &RunArguments) -> Result<u8> {
+    let claim = match (&arguments.resume, &arguments.results) {
+        (Some(folder), _) => Claim::to_go_on(folder)?,
+        (None, Some(folder)) => Claim::of(folder, arguments.overwrite)?,
+        (None, None) => Claim::of_new(arguments.scenario())?,
+    };
+    match supervise::in_child(&arguments.limits, Some(claim.folder())) {
+        Ok(End { finished: Some(code), blame, records }) => {
+            // A start that has failed leaves nothing.
+            if records > 0 {
+                claim.release()
+            } else {
+                claim.undo()
+            }
+            blame.iter().for_each(Blame::warn);
+            Ok(code)
+        }
+        Ok(End { finished: None, blame, records }) => {
+            complete_results(claim, &blame.unwrap_or_default(), records)
+        }
+        Err(error) => {
+            claim.undo();
+            Err(error)
+        }
+    }
+}
+
+/// Completes what a child has left that has not done so itself, and tells why.
+fn complete_results(claim: Claim, blame: &Blame, records: u64) -> Result<u8> {
+    let Blame { sentence, interrupted, at_once } = blame;
+    let folder = claim.folder().display().to_string();
+    let answer = |sentence: String| match interrupted {
+        Some(signal) => {
+            tell(sentence);
+            Ok(exit_code(*signal))
+        }
+        None => Err(anyhow!(sentence)),
+    };
+    if *at_once && records > 0 {
+        return answer(format!("{sentence}; `hotfoot report {folder}` completes its results"));
+    }
+    let end =
+        if interrupted.is_some() { manifest::End::Interrupted } else { manifest::End::Failed };
+    let completed = match records {
+        0 if !claim.goes_on() => Ok(None),
+        _ => complete(claim.folder(), Ended::because(end, sentence)),
+    };
+    match completed {
+        Ok(Some(_)) => {
+            claim.release();
+            answer(format!("{sentence}; the results until then are in {folder}"))
+        }
+        Ok(None) => {
+            claim.undo();
+            answer(format!("{sentence}; nothing was recorded before"))
+        }
+        Err(error) => answer(format!(
+            "{sentence}; the results until then are in {folder}, but they could not be completed, which \
+             `hotfoot report {folder}` tries again: {error}"
+        )),
+    }
+}
+
+fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
     let options = Options {
         threads: arguments.threads,
-        results: arguments.results.clone(),
         fmus: arguments.fmus.clone().unwrap_or_else(default_fmus),
         times: Times {
             duration: arguments.duration,
@@ -99,14 +187,25 @@ fn run_here(arguments: &RunArguments) -> Result<()> {
             interval: arguments.interval,
             checkpoint: arguments.checkpoint,
         },
+        tolerance: arguments.tolerance,
+        checks: arguments.checks.map(Into::into),
+        same_thread: arguments.same_thread,
         quiet: arguments.quiet,
     };
+    let results = child.results().ok_or_else(|| anyhow!("the parent has given no folder"))?;
     let finished = match &arguments.resume {
-        Some(results) => run::resume(results, &options)?,
-        None => run::run(arguments.scenario(), &options)?,
+        Some(_) => run::resume(results, &options)?,
+        None => run::run(arguments.scenario(), results, &options)?,
     };
-    println!("{finished}");
-    Ok(())
+    let mut code = 0;
+    if let Some(stopped) = finished.stopped() {
+        tell(format_args!("{stopped}; the results until then are in {}", results.display()));
+        code = exit_code(stopped.signal);
+    }
+    output::print(&finished)?;
+    // All is done; what the FMUs do when they are freed can only be a reason for a warning.
+    child.finish(code);
+    Ok(code)
 }
 
 /// `fmus` beside the folder of the program: `target/fmus` for `target/release/hotfoot`.

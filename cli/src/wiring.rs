@@ -6,12 +6,15 @@ use anyhow::Result;
 use clap::Args;
 use hotfoot::run::wiring;
 
+use crate::output::write;
 use crate::run::default_fmus;
+use crate::supervise::limits::Limits;
+use crate::supervise::{child, command_in_child};
 
 /// Arguments of `hotfoot wiring`.
 #[derive(Args)]
 pub struct WiringArguments {
-    /// Scenario: its folder or file; or an SSP package of any FMUs
+    /// Scenario: its folder or file; or an SSP package (.ssp, its folder, or .ssd), or one .fmu
     scenario: PathBuf,
     /// Print a graph for Graphviz, as for `dot -Tsvg`
     #[arg(long)]
@@ -19,15 +22,24 @@ pub struct WiringArguments {
     /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
     #[arg(long)]
     fmus: Option<PathBuf>,
+    #[command(flatten)]
+    limits: Limits,
 }
 
 /// Prints the components of a scenario or a package, when they step, and what flows between them.
+/// Gives the exit code.
 ///
 /// # Errors
 /// When the scenario or package is wrong, or an FMU is missing or unfit.
-pub fn print(arguments: &WiringArguments) -> Result<()> {
+pub fn print(arguments: &WiringArguments) -> Result<u8> {
+    match child::own() {
+        Some(_) => print_here(arguments).map(|()| 0),
+        None => command_in_child(&arguments.limits),
+    }
+}
+
+fn print_here(arguments: &WiringArguments) -> Result<()> {
     let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
     let structure = wiring(&arguments.scenario, &fmus)?;
-    print!("{}", if arguments.dot { structure.dot() } else { structure.text() });
-    Ok(())
+    write(if arguments.dot { structure.dot() } else { structure.text() })
 }

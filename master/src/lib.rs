@@ -29,11 +29,12 @@ pub mod ssp;
 mod system;
 mod train;
 
-pub use files::archive;
-pub use fmi::{FmuInstance, Import, pack, watch_crashes};
+pub use files::{archive, xml_text};
+pub use fmi::{FmuInstance, Import, UNLOADING, note_unloading, pack, watched};
 pub use interface::Interface;
 pub use run::error::RunError;
 pub use run::{Finished, Options, run};
+pub use system::checks::Checks;
 pub use system::structure::Structure;
 pub use system::unit::{Unit, UnitError};
 pub use train::fmus::Folders;

@@ -1,7 +1,10 @@
 /* A vehicle FMU that misbehaves at 0.05 s, as BEHAVIOUR says: a point that keeps its speed. One
  * file, no header of the standard needed. */
+#include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum {
     WELL,
@@ -27,6 +30,35 @@ enum { INTEGERS = 1, BOOLEANS = 1 };
 #define GUID "{a hostile vehicle}"
 #define EXPORT __attribute__((visibility("default")))
 
+/* Ends of the process, and calls that do not return: ENDS(how, where). */
+enum { BY_EXIT, BY_EXIT_AT_ONCE, BY_CRASH, BY_CRASH_OF_THREAD, BY_LOOP, BY_BUSY_LOOP };
+enum { AT_LOAD, AT_INSTANTIATE, AT_INIT, AT_STEP, AT_TERMINATE, AT_FREE, AT_UNLOAD };
+#define ENDS(how, where) (1000 + 10 * (how) + (where))
+/* Two that end nothing: a step that takes a millisecond, and one that reads the standard input. */
+#define SLOW 900
+#define READS_STDIN 901
+
+static void *crash(void *nothing) {
+    *(volatile int *)nothing = 1;
+    return NULL;
+}
+static void end_at(int where) {
+    pthread_t thread;
+    if (BEHAVIOUR < 1000 || BEHAVIOUR % 10 != where) return;
+    switch ((BEHAVIOUR - 1000) / 10) {
+    case BY_EXIT: exit(0);
+    case BY_EXIT_AT_ONCE: _exit(3);
+    case BY_CRASH: crash(NULL);
+    case BY_CRASH_OF_THREAD:
+        pthread_create(&thread, NULL, crash, NULL);
+        pthread_join(thread, NULL);
+    case BY_LOOP: for (;;) sleep(1);
+    case BY_BUSY_LOOP: for (volatile int i = 0;;) i = i;
+    }
+}
+__attribute__((constructor)) static void at_load(void) { end_at(AT_LOAD); }
+__attribute__((destructor)) static void at_unload(void) { end_at(AT_UNLOAD); }
+
 typedef void (*Logger)(void *, const char *, int, const char *, const char *, ...);
 typedef struct {
     Logger logger;
@@ -51,6 +83,8 @@ static void tell(Instance *i, int status, const char *category, const char *form
     i->callbacks.logger(i->callbacks.environment, "hostile", status, category, format, value);
 }
 
+#include "seam.c"
+
 EXPORT const char *fmi2GetVersion(void) { return BEHAVIOUR == OTHER_VERSION ? "1.0" : "2.0"; }
 EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
 EXPORT int fmi2SetDebugLogging(void *c, int on, size_t n, const char *const *categories) {
@@ -66,29 +100,45 @@ EXPORT void *fmi2Instantiate(const char *name, int type, const char *guid, const
                           "the GUID %s is not mine", guid);
         return NULL;
     }
+    end_at(AT_INSTANTIATE);
     Instance *i = calloc(1, sizeof *i);
     i->callbacks = *callbacks;
+    seam_instantiate(i);
     return i;
 }
 
-EXPORT void fmi2FreeInstance(void *c) { free(c); }
+EXPORT void fmi2FreeInstance(void *c) {
+    end_at(AT_FREE);
+    seam_free(c);
+}
 EXPORT int fmi2SetupExperiment(void *c, int td, double t, double start, int sd, double stop) {
     (void)td, (void)t, (void)sd, (void)stop;
     ((Instance *)c)->time = start;
     return OK;
 }
-EXPORT int fmi2EnterInitializationMode(void *c) { (void)c; return OK; }
+EXPORT int fmi2EnterInitializationMode(void *c) {
+    (void)c;
+    end_at(AT_INIT);
+    return seam_refuses() ? ERROR : OK;
+}
 EXPORT int fmi2ExitInitializationMode(void *c) {
     Instance *i = c;
+    if (seam_refuses()) return ERROR;
     i->reals[POSITION] = i->reals[POSITION0];
     i->reals[VELOCITY] = i->reals[VELOCITY0];
     return OK;
 }
-EXPORT int fmi2Terminate(void *c) { (void)c; return OK; }
+EXPORT int fmi2Terminate(void *c) {
+    (void)c;
+    end_at(AT_TERMINATE);
+    return seam_refuses() ? ERROR : OK;
+}
 EXPORT int fmi2Reset(void *c) { (void)c; return OK; }
 
 EXPORT int fmi2GetReal(void *c, const unsigned *vr, size_t n, double *v) {
+    if (seam_refuses()) return ERROR;
     for (size_t k = 0; k < n; k++) v[k] = ((Instance *)c)->reals[vr[k]];
+    seam_get(c, (unsigned *)vr, n, v);
     return OK;
 }
 EXPORT int fmi2SetReal(void *c, const unsigned *vr, size_t n, const double *v) {
@@ -97,7 +147,9 @@ EXPORT int fmi2SetReal(void *c, const unsigned *vr, size_t n, const double *v) {
         tell(i, ERROR, "logStatusError", "I take no more forces after %g s", i->time);
         return ERROR;
     }
+    if (seam_refuses()) return ERROR;
     for (size_t k = 0; k < n; k++) i->reals[vr[k]] = v[k];
+    seam_set(i, (double *)v);
     return OK;
 }
 EXPORT int fmi2GetInteger(void *c, const unsigned *vr, size_t n, int *v) {
@@ -162,14 +214,18 @@ static int misbehave(Instance *i, double length) {
         i->asked = 0;
         return IS_PENDING;
     default:
-        return OK;
+        return seam_step(i);
     }
 }
 
 EXPORT int fmi2DoStep(void *c, double time, double length, int no_set_state) {
     (void)no_set_state;
     Instance *i = c;
+    if (seam_refuses()) return ERROR;
     i->time = time;
+    if (BEHAVIOUR == SLOW) usleep(1000);
+    if (BEHAVIOUR == READS_STDIN) getchar();
+    if (time + length / 2 >= WHEN) end_at(AT_STEP);
     int status = time + length / 2 >= WHEN ? misbehave(i, length) : OK;
     if (status == ERROR || status == DISCARDED || status == FATALLY) {
         return status;

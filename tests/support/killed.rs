@@ -12,8 +12,7 @@ use std::time::Duration;
 /// # Panics
 /// When the run ends before.
 pub fn kill_at(folder: &Path, arguments: &[&str], results: &str, number: u64) {
-    let mut command = Command::new(crate::program());
-    command.args(arguments).current_dir(folder);
+    let mut command = crate::command(folder, arguments);
     let run = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
     let mut run = run.expect("the program is there");
     let checkpoints = folder.join(results).join("checkpoint");

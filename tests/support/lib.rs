@@ -3,6 +3,8 @@
 pub mod fmu_copy;
 pub mod hostile;
 pub mod killed;
+pub mod package;
+pub mod probe;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -51,22 +53,26 @@ pub fn library(package: &str) -> PathBuf {
     path
 }
 
-/// The program `hotfoot`: that of the release, or the one that `HOTFOOT_PROGRAM` names.
-pub fn program() -> PathBuf {
-    std::env::var_os("HOTFOOT_PROGRAM").map_or_else(|| release().join("hotfoot"), PathBuf::from)
-}
-
 /// Runs the program `hotfoot` with these arguments in `folder`.
 ///
 /// # Panics
 /// When the program has not been built.
 pub fn hotfoot(folder: &Path, arguments: &[&str]) -> Output {
-    let program = program();
-    Command::new(&program)
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap_or_else(|e| panic!("{}: {e}: run `cargo xtask fmus` first", program.display()))
+    let mut command = command(folder, arguments);
+    let output = command.output();
+    output.unwrap_or_else(|e| {
+        panic!("{:?}: {e}: run `cargo xtask fmus` first", command.get_program())
+    })
+}
+
+/// The program `hotfoot` with these arguments in `folder`: that of the release, or the one that
+/// `HOTFOOT_PROGRAM` names in the environment.
+pub fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let program = std::env::var_os("HOTFOOT_PROGRAM");
+    let mut command =
+        Command::new(program.map_or_else(|| release().join("hotfoot"), PathBuf::from));
+    command.args(arguments).current_dir(folder);
+    command
 }
 
 /// A scenario of a short train in a folder of its own; its text may be changed before it is run.
@@ -130,13 +136,26 @@ impl SmallScenario {
         self.text.truncate(heat);
     }
 
+    /// The arguments of a run.
+    const RUN: [&'static str; 6] =
+        ["run", "scenario.toml", "--quiet", "--results", "results", "--overwrite"];
+
+    /// Writes the files and gives the program that runs the scenario with further arguments.
+    ///
+    /// # Panics
+    /// When the files cannot be written.
+    pub fn command(&self, arguments: &[&str]) -> Command {
+        self.write();
+        command(self.folder.path(), &[&Self::RUN, arguments].concat())
+    }
+
     /// Writes the files and runs the scenario with further arguments; the results are in
     /// [`Self::results`].
     ///
     /// # Panics
     /// When the files cannot be written.
     pub fn run(&self, arguments: &[&str]) -> Output {
-        let mut all = vec!["run", "scenario.toml", "--quiet", "--results", "results"];
+        let mut all = Self::RUN.to_vec();
         all.extend(arguments);
         self.hotfoot(&all)
     }
@@ -167,7 +186,7 @@ impl SmallScenario {
     /// Writes the files.
     ///
     /// # Panics
-    /// When the folder is not writable.
+    /// When they cannot be written.
     pub fn write(&self) {
         let files = [
             ("scenario.toml", &self.text),

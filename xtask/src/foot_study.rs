@@ -40,7 +40,8 @@ const AUDIT: (&str, f64) = ("energy.audit", 1e-9);
 pub fn run_all(results: &Path) -> Result<()> {
     for (name, ..) in CASES {
         let scenario = format!("{FOLDER}/{name}.toml");
-        run(hotfoot().args(["run", &scenario, "--results"]).arg(results.join(name)))?;
+        let folder = results.join(name);
+        run(hotfoot().args(["run", &scenario, "--overwrite", "--results"]).arg(folder))?;
     }
     Ok(())
 }

@@ -5,7 +5,7 @@
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
 //! | `foot_study.rs` | the runs of the foot study, its table and expected figures |
 //! | `instructions.rs` | instructions of a vehicle's step, counted |
-//! | `test.rs` | the whole test run |
+//! | `test.rs` | the whole test run, and runs that are killed |
 //! | `python.rs` | the Python environment of the FMPy tests, which has libclang too |
 //! | `shell.rs` | running commands |
 
@@ -56,6 +56,12 @@ enum Task {
     Packages,
     /// Count the instructions of a vehicle's step by its parts (needs valgrind)
     Instructions,
+    /// Kill runs at many moments, and see that no whole record is lost
+    CrashTest {
+        /// Number of kills
+        #[arg(default_value_t = 100)]
+        kills: u32,
+    },
     /// The whole test run
     Test,
 }
@@ -91,6 +97,7 @@ fn main() -> Result<()> {
             print!("{}", instructions::table()?);
             Ok(())
         }
+        Task::CrashTest { kills } => test::kill_runs(kills),
         Task::Test => test::run_all(),
     }
 }

@@ -47,6 +47,12 @@ pub fn run_all() -> Result<()> {
     Ok(())
 }
 
+/// The tests of runs that are killed, with so many kills; FMUs and the program must be built.
+pub fn kill_runs(kills: u32) -> Result<()> {
+    let test = ["test", "--release", "-p", "hotfoot-tests", "--test", "system", "ends::kills"];
+    run(cargo().args(test).args(["--", "--nocapture"]).env("HOTFOOT_KILLS", kills.to_string()))
+}
+
 /// All at once, since the tests' dependencies give others more features: built one after the other,
 /// half of the workspace would be compiled twice.
 fn build() -> Result<()> {

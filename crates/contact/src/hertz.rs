@@ -36,23 +36,29 @@ impl UnitContact {
         let modulus = material.contact_modulus();
         let ratio = semi_axis_ratio(most / least);
         let integrals = EllipticIntegrals::new(ratio);
-        let major = (1.5 * integrals.k * integrals.deficit_by_parameter
-            / (std::f64::consts::PI * modulus * least))
-            .cbrt();
+        let major = libm::cbrt(
+            1.5 * integrals.k * integrals.deficit_by_parameter
+                / (std::f64::consts::PI * modulus * least),
+        );
         let minor = ratio * major;
         let pressure = 1.5 / (std::f64::consts::PI * major * minor);
         let approach = pressure * minor * integrals.k / modulus;
         let (semi_axis_rolling, semi_axis_lateral) =
             if rolling <= lateral { (major, minor) } else { (minor, major) };
-        let stiffness = approach.powf(-1.5);
-        Self { semi_axis_rolling, semi_axis_lateral, stiffness, stiffness_root: stiffness.cbrt() }
+        let stiffness = libm::pow(approach, -1.5);
+        Self {
+            semi_axis_rolling,
+            semi_axis_lateral,
+            stiffness,
+            stiffness_root: libm::cbrt(stiffness),
+        }
     }
 
     /// The contact with a `share` (0 to 1) of the stiffness.
     #[must_use]
     pub fn shared(mut self, share: f64) -> Self {
         self.stiffness *= share;
-        self.stiffness_root *= share.cbrt();
+        self.stiffness_root *= libm::cbrt(share);
         self
     }
 
@@ -65,7 +71,7 @@ impl UnitContact {
 
     /// Elastic approach in m under `normal_force` (N); 0 without load.
     pub fn approach(&self, normal_force: f64) -> f64 {
-        let root = (normal_force.max(0.0) / self.stiffness).cbrt();
+        let root = libm::cbrt(normal_force.max(0.0) / self.stiffness);
         root * root
     }
 

@@ -77,16 +77,16 @@ fn slender(table: [f64; 4], short: bool, g: f64, nu: f64) -> [f64; 4] {
 
 /// Ellipse short in the rolling direction, g = a/b to 0.
 fn short_asymptote(g: f64, nu: f64) -> [f64; 4] {
-    let c23 = PI * g.sqrt() / (3.0 * (1.0 - nu)) * (1.0 + nu * ((16.0 / g).ln() - 5.0));
+    let c23 = PI * g.sqrt() / (3.0 * (1.0 - nu)) * (1.0 + nu * (libm::log(16.0 / g) - 5.0));
     [PI * PI / (4.0 * (1.0 - nu)), PI * PI / 4.0, c23, PI * PI / (16.0 * (1.0 - nu) * g)]
 }
 
 /// Ellipse long in the rolling direction, g = b/a to 0; of C33 the limit at 0, as it hardly changes.
 fn long_asymptote(g: f64, nu: f64) -> [f64; 4] {
-    let l = (16.0 / (g * g)).ln();
+    let l = libm::log(16.0 / (g * g));
     let d = (1.0 - nu) * l + 2.0 * nu;
     let e = l - 2.0 * nu;
-    let rise = 3.0 - 4.0_f64.ln();
+    let rise = 3.0 - libm::log(4.0_f64);
     [
         2.0 * PI / (e * g) * (1.0 + rise / e),
         2.0 * PI / (d * g) * (1.0 + (1.0 - nu) * rise / d),

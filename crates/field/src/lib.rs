@@ -21,12 +21,14 @@
 //! | `axes.rs` | the coordinates, and attributes of the group |
 //! | `layout.rs` | names, chunks and codecs of the store |
 //! | `writer.rs` | appends snapshots |
+//! | `complete.rs` | completes a field whose writer was killed |
 //! | `reader.rs` | reads snapshots |
 //! | `resumed.rs` | goes on with a field that is there |
 //!
 //! No other crate knows Zarr.
 
 mod axes;
+mod complete;
 mod error;
 mod layout;
 mod reader;
@@ -34,6 +36,7 @@ mod resumed;
 mod writer;
 
 pub use axes::{Attribute, Axes};
+pub use complete::complete;
 pub use error::FieldError;
 pub use reader::{FieldReader, Snapshot};
 pub use writer::{FieldWriter, is_rail_field};

@@ -85,7 +85,7 @@ impl FieldReader {
     }
 }
 
-fn open(path: &Path, store: &Store, name: &str) -> Result<StoredArray, FieldError> {
+pub(crate) fn open(path: &Path, store: &Store, name: &str) -> Result<StoredArray, FieldError> {
     StoredArray::open(store.clone(), &format!("/{name}")).map_err(|error| FieldError::NotAField {
         path: path.to_owned(),
         reason: format!("array {name}: {error}"),

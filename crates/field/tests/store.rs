@@ -47,6 +47,24 @@ fn property_what_is_written_is_read_to_the_last_bit() {
     assert_eq!(reader.at_time(1e9).unwrap().rise, rise(&axes(), 2));
 }
 
+/// A writer that was killed after its time had become visible and before its snapshot had: other readers
+/// refuse a field with more times than snapshots.
+#[test]
+fn a_field_that_was_cut_within_an_append_is_completed() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    let mut writer = create(&path);
+    writer.append(0.0, &rise(&axes(), 0)).unwrap();
+    let before = fs::read(path.join("temperature_rise/zarr.json")).unwrap();
+    writer.append(1.0, &rise(&axes(), 1)).unwrap();
+    fs::write(path.join("temperature_rise/zarr.json"), before).unwrap();
+    let snapshots = |array: &str| metadata(&path.join(array))["shape"][0].as_u64().unwrap();
+    assert_eq!((snapshots("time"), snapshots("temperature_rise")), (2, 1));
+    field::complete(&path).unwrap();
+    assert_eq!((snapshots("time"), snapshots("temperature_rise")), (1, 1));
+    assert_eq!(FieldReader::open(&path).unwrap().times(), [0.0]);
+}
+
 /// A process that is killed runs no destructor: the writer is forgotten, not dropped.
 #[test]
 fn property_a_killed_run_leaves_all_appended_snapshots() {

@@ -66,7 +66,7 @@ impl Content {
     }
 
     fn curvature_and_cant(&self) -> (Points, Points) {
-        let angle = |cant_mm: f64| (cant_mm * 1e-3 / CANT_BASE).asin();
+        let angle = |cant_mm: f64| libm::asin(cant_mm * 1e-3 / CANT_BASE);
         if self.curvature.is_empty() {
             let curvature = |element: &Element| element.radius_m.map_or(0.0, |radius| 1.0 / radius);
             return (self.elements(curvature), self.elements(|e| angle(e.cant_mm)));

@@ -1,5 +1,7 @@
 //! A model description as the rules see it: its elements with their lines in the text.
 
+use std::collections::HashMap;
+
 use roxmltree::{Document, Node};
 
 /// An element of the text.
@@ -34,6 +36,10 @@ pub struct Description<'x> {
     pub root: Element<'x>,
     /// The variables in order.
     pub variables: Vec<Variable<'x>>,
+    /// The declared types by name, the first of each.
+    pub types: HashMap<&'x str, Element<'x>>,
+    /// The units by name, the first of each.
+    pub units: HashMap<&'x str, Element<'x>>,
 }
 
 impl<'x> Description<'x> {
@@ -43,13 +49,29 @@ impl<'x> Description<'x> {
         let scalars = child(root, "ModelVariables")
             .into_iter()
             .flat_map(|variables| children(variables, "ScalarVariable"));
-        Self { root, variables: scalars.zip(1..).map(variable).collect() }
+        Self {
+            root,
+            variables: scalars.zip(1..).map(variable).collect(),
+            types: by_name(root, "TypeDefinitions", "SimpleType"),
+            units: by_name(root, "UnitDefinitions", "Unit"),
+        }
     }
 
     /// The elements `name` in the list `list` of the root.
     pub fn list(&self, list: &str, name: &'static str) -> Vec<Element<'x>> {
         child(self.root, list).into_iter().flat_map(|list| children(list, name)).collect()
     }
+}
+
+/// The elements `name` in the list `list` by their attribute `name`.
+fn by_name<'x>(root: Element<'x>, list: &str, name: &'static str) -> HashMap<&'x str, Element<'x>> {
+    let mut found = HashMap::new();
+    for element in child(root, list).into_iter().flat_map(|list| children(list, name)) {
+        if let Some(name) = element.attribute("name") {
+            found.entry(name).or_insert(element);
+        }
+    }
+    found
 }
 
 fn variable((element, index): (Element<'_>, usize)) -> Variable<'_> {

@@ -6,6 +6,7 @@ use super::rule::{Finding, Severity};
 use super::rules::{FILE, check_description};
 use super::terminals;
 use crate::files::archive;
+use crate::files::xml_text;
 use crate::fmi::{self, FmuInstance, Import};
 use crate::interface::Interface;
 
@@ -30,7 +31,7 @@ pub fn check(fmu: &Path) -> Vec<Finding> {
         findings.push(error("archive-can-be-unpacked", name, source.to_string()));
         return findings;
     }
-    let text = match std::fs::read_to_string(folder.path().join(FILE)) {
+    let text = match xml_text::read(&folder.path().join(FILE)) {
         Ok(text) => text,
         Err(source) => {
             let sentence = format!("the FMU has no readable {FILE}: {source}");
@@ -59,9 +60,9 @@ fn binary(fmu: &Path, folder: &Path, interface: &Interface) -> Vec<Finding> {
     if !file.exists() {
         return vec![missing_binary(folder, location)];
     }
-    match fmi::missing_functions(&file) {
+    match fmi::missing_functions(&file, &fmu.display().to_string()) {
         Err(source) => {
-            let sentence = format!("the binary cannot be loaded: {source}");
+            let sentence = format!("the binary cannot be loaded: {}", fmi::reason(&source));
             vec![error("binary-can-be-loaded", location, sentence)]
         }
         Ok(missing) if !missing.is_empty() => {
@@ -76,25 +77,16 @@ fn binary(fmu: &Path, folder: &Path, interface: &Interface) -> Vec<Finding> {
     }
 }
 
-/// The finding for an FMU that has no binary at all, or only those of other platforms.
+/// The finding for an FMU that has no binary at all, or only sources or binaries of other platforms.
 fn missing_binary(folder: &Path, location: String) -> Finding {
-    let platforms: Vec<String> = std::fs::read_dir(folder.join("binaries"))
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.file_name().to_string_lossy().into_owned())
-        .collect();
-    match platforms.iter().any(|platform| location.contains(platform)) || platforms.is_empty() {
-        true => error(
-            "binary-is-there",
-            location,
-            "there is no such file; the binary must be named by `modelIdentifier`",
-        ),
-        false => Finding {
+    let has = fmi::Binaries::of(folder);
+    match has.are_elsewhere() {
+        false => error("binary-is-there", location, has.sentence()),
+        true => Finding {
             rule: "binary-is-for-this-platform",
             severity: Severity::Advice,
             location,
-            sentence: format!("there are binaries for {} only", platforms.join(", ")),
+            sentence: has.sentence(),
         },
     }
 }

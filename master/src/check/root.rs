@@ -4,6 +4,7 @@
 use super::description::{Description, child, number};
 use super::rule::{Breaches, Rule, Severity};
 use super::units::repeated;
+use crate::interface::identifier::{C_NAME, is_c_name};
 
 /// Name of the rule on the version, without which the others make no sense.
 pub(super) const VERSION: &str = "fmi-version-is-2.0";
@@ -91,12 +92,8 @@ fn model_identifier(description: &Description<'_>, breaches: &mut Breaches) {
     let interfaces = ["CoSimulation", "ModelExchange"];
     for interface in interfaces.iter().filter_map(|name| child(description.root, name)) {
         let Some(name) = interface.attribute("modelIdentifier") else { continue };
-        let begins = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-        if !(begins && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')) {
-            let sentence = format!(
-                "`modelIdentifier` is \"{name}\", but must be a name in C: letters, digits and \
-                 underscores, not beginning with a digit"
-            );
+        if !is_c_name(name) {
+            let sentence = format!("`modelIdentifier` is \"{name}\", but must be {C_NAME}");
             breaches.at(interface, sentence);
         }
     }

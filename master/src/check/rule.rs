@@ -25,16 +25,29 @@ pub struct Rule {
     pub(super) check: fn(&Description<'_>, &mut Breaches),
 }
 
-/// What a rule has found: the line, and a sentence that says what stands there and what would be
-/// right.
+/// What a rule has found: where in the text, and what stands there and what would be right.
 #[derive(Default)]
-pub(crate) struct Breaches(pub(super) Vec<(u32, String)>);
+pub(crate) struct Breaches(pub(super) Vec<(usize, String)>);
 
 impl Breaches {
     /// A breach at an element.
     pub fn at(&mut self, element: Element<'_>, sentence: String) {
-        let line = element.document().text_pos_at(element.range().start).row;
-        self.0.push((line, sentence));
+        self.0.push((element.range().start, sentence));
+    }
+}
+
+/// Where the lines of a text begin. The parser would count them anew for each breach.
+pub(crate) struct Lines(Vec<usize>);
+
+impl Lines {
+    /// The lines of a text.
+    pub fn of(text: &str) -> Self {
+        Self(text.match_indices('\n').map(|(at, _)| at).collect())
+    }
+
+    /// The number, from one, of the line in which a byte stands.
+    pub fn number(&self, byte: usize) -> usize {
+        1 + self.0.partition_point(|end| *end < byte)
     }
 }
 

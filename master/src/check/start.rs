@@ -70,9 +70,7 @@ fn stated(description: &Description<'_>, variable: &Variable<'_>, attribute: &st
     let kind = variable.kind?;
     let declared = || -> Option<Element<'_>> {
         let name = kind.attribute("declaredType")?;
-        let types = description.list("TypeDefinitions", "SimpleType");
-        let found = types.into_iter().find(|known| known.attribute("name") == Some(name))?;
-        child(found, variable.type_name())
+        child(*description.types.get(name)?, variable.type_name())
     };
     number(kind, attribute).or_else(|| number(declared()?, attribute))
 }

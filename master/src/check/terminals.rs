@@ -5,18 +5,25 @@ use std::path::Path;
 
 use roxmltree::Document;
 
-use super::rule::{Finding, Severity};
+use super::rule::{Finding, Lines, Severity};
+use crate::files::xml_depth::check_depth;
+use crate::files::xml_text;
 
 /// Where the file lies in an FMU.
 pub const FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
 
 /// Checks the file where there is one: it must be XML, and name variables that there are.
 pub fn check(folder: &Path, description: &str) -> Vec<Finding> {
-    let Ok(text) = std::fs::read_to_string(folder.join(FILE)) else {
+    let Ok(text) = xml_text::read(&folder.join(FILE)) else {
         return vec![];
     };
     let error =
         |rule, location, sentence| Finding { rule, severity: Severity::Error, location, sentence };
+    if let Err(source) = check_depth(&text) {
+        let location = format!("{FILE}:{}", source.line);
+        return vec![error("terminals-are-xml", location, source.to_string())];
+    }
+    let lines = Lines::of(&text);
     let document = match Document::parse(&text) {
         Ok(document) => document,
         Err(source) => {
@@ -35,7 +42,7 @@ pub fn check(folder: &Path, description: &str) -> Vec<Finding> {
         .filter_map(|member| member.attribute("variableName").map(|name| (member, name)))
         .filter(|(_, name)| !known.contains(name))
         .map(|(member, name)| {
-            let line = document.text_pos_at(member.range().start).row;
+            let line = lines.number(member.range().start);
             let sentence = format!("there is no variable `{name}` in modelDescription.xml");
             error("terminals-name-variables", format!("{FILE}:{line}"), sentence)
         })

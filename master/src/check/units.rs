@@ -98,10 +98,9 @@ fn owner(kind: Element<'_>) -> &str {
 }
 
 fn units_defined(description: &Description<'_>, breaches: &mut Breaches) {
-    let known: HashSet<_> =
-        units(description).iter().filter_map(|unit| unit.attribute("name")).collect();
     for real in reals(description) {
-        if let Some(unit) = real.attribute("unit").filter(|unit| !known.contains(unit)) {
+        let unknown = |unit: &&str| !description.units.contains_key(unit);
+        if let Some(unit) = real.attribute("unit").filter(unknown) {
             let owner = owner(real);
             let sentence = format!(
                 "`{owner}` has the unit \"{unit}\", which <UnitDefinitions> does not define"
@@ -112,13 +111,12 @@ fn units_defined(description: &Description<'_>, breaches: &mut Breaches) {
 }
 
 fn display_units_defined(description: &Description<'_>, breaches: &mut Breaches) {
-    let units = units(description);
     for real in reals(description) {
         let Some(display) = real.attribute("displayUnit") else { continue };
         let unit = unit_of(description, real);
-        let defined = units
-            .iter()
-            .filter(|known| unit.is_some() && known.attribute("name") == unit)
+        let known = unit.and_then(|unit| description.units.get(unit));
+        let defined = known
+            .into_iter()
             .flat_map(|known| children(*known, "DisplayUnit"))
             .any(|known| known.attribute("name") == Some(display));
         if !defined {
@@ -136,9 +134,7 @@ fn display_units_defined(description: &Description<'_>, breaches: &mut Breaches)
 fn unit_of<'x>(description: &Description<'x>, real: Element<'x>) -> Option<&'x str> {
     let declared = || {
         let name = real.attribute("declaredType")?;
-        let all = types(description);
-        let found = all.into_iter().find(|kind| kind.attribute("name") == Some(name))?;
-        child(found, KINDS[0])?.attribute("unit")
+        child(*description.types.get(name)?, KINDS[0])?.attribute("unit")
     };
     real.attribute("unit").or_else(declared)
 }
@@ -158,10 +154,9 @@ fn types_unique(description: &Description<'_>, breaches: &mut Breaches) {
 }
 
 fn types_defined(description: &Description<'_>, breaches: &mut Breaches) {
-    let types = types(description);
     for variable in &description.variables {
         let Some(name) = variable.of_kind("declaredType") else { continue };
-        let found = types.iter().find(|kind| kind.attribute("name") == Some(name));
+        let found = description.types.get(name);
         let sentence = match found {
             None => format!(
                 "`{}` has the type \"{name}\", which <TypeDefinitions> does not define",

@@ -1,5 +1,6 @@
 //! FMU files: zip archives, unpacked with distrust and packed with care (FMI 2.0 §2.3).
 
+use std::collections::HashSet;
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
@@ -45,6 +46,12 @@ pub enum ArchiveError {
         /// What is wrong with it.
         reason: &'static str,
     },
+    /// Two entries have the same name.
+    #[error("{path}: two entries of the archive have the same name; the FMU is refused")]
+    Repeated {
+        /// Archive.
+        path: String,
+    },
     /// Too large.
     #[error("{path} unpacks to {what}; the FMU is refused")]
     TooLarge {
@@ -77,7 +84,11 @@ fn unpack_within(limits: Limits, archive: &Path, target: &Path) -> Result<(), Ar
     if zip.decompressed_size().is_some_and(|size| size > u128::from(limits.bytes)) {
         return Err(too_many_bytes());
     }
+    if zip.has_duplicate_names() {
+        return Err(ArchiveError::Repeated { path: path() });
+    }
     let mut left = limits.bytes;
+    let mut unpacked = HashSet::new();
     for i in 0..zip.len() {
         let mut entry = zip.by_index(i).map_err(damaged)?;
         let name = entry.name().map_err(damaged)?.into_owned();
@@ -93,6 +104,9 @@ fn unpack_within(limits: Limits, archive: &Path, target: &Path) -> Result<(), Ar
         }
         if let Some(folder) = destination.parent() {
             fs::create_dir_all(folder).map_err(FileError::at(folder))?;
+        }
+        if !unpacked.insert(destination.components().collect::<PathBuf>()) {
+            return Err(refuse("is written where another one is"));
         }
         let mut out = fs::File::create(&destination).map_err(FileError::at(&destination))?;
         // The stated size may lie, so what is unpacked is counted.
@@ -124,14 +138,15 @@ pub fn uncommon_entries(archive: &Path) -> Result<Vec<(String, String)>, Archive
     Ok(uncommon)
 }
 
-/// The entry's path if it stays inside of the folder it is unpacked to.
+/// The entry's path if it stays inside of the folder it is unpacked to. Some tools of Windows write
+/// backslashes between folders, which the format does not allow (APPNOTE 4.4.17.1).
 fn safe_path(entry: &str) -> Option<PathBuf> {
-    if entry.contains('\\') || entry.contains(':') || entry.contains('\0') {
+    if entry.contains(':') || entry.contains('\0') {
         return None;
     }
-    let path = Path::new(entry);
+    let path = PathBuf::from(entry.replace('\\', "/"));
     let inside = path.components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
-    inside.then(|| path.to_path_buf())
+    inside.then_some(path)
 }
 
 /// Packs the files below `folder` into `archive`, in the order of their names and without
@@ -203,12 +218,22 @@ mod tests {
 
     #[test]
     fn entries_that_lead_outside_are_refused() {
-        for name in ["../../x", "/etc/x", "a/../../x", "c:\\x", "a\\..\\x"] {
+        for name in ["../../x", "/etc/x", "a/../../x", "c:\\x", "a\\..\\x", "\\etc\\x"] {
             let folder = tempfile::tempdir().unwrap();
             let path = archive_with(name, SimpleFileOptions::default(), folder.path());
             let error = unpack(&path, &folder.path().join("target")).unwrap_err();
             assert!(matches!(error, ArchiveError::Unsafe { .. }), "{name}: {error}");
         }
+    }
+
+    #[test]
+    fn backslashes_between_folders_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let name = "binaries\\linux64\\x.so";
+        let path = archive_with(name, SimpleFileOptions::default(), folder.path());
+        let target = folder.path().join("target");
+        unpack(&path, &target).unwrap();
+        assert_eq!(fs::read(target.join("binaries/linux64/x.so")).unwrap(), b"content");
     }
 
     #[test]
@@ -220,6 +245,32 @@ mod tests {
         zip.finish().unwrap();
         let error = unpack(&path, &folder.path().join("target")).unwrap_err();
         assert!(error.to_string().contains("symbolic link"), "{error}");
+    }
+
+    /// The writer refuses equal names, so the second is changed in the archive. Which of the two a tool reads
+    /// is chance.
+    #[test]
+    fn an_archive_with_two_entries_of_one_name_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("twice.fmu");
+        for (second, reason) in [
+            ("modelDescription.xmk", "two entries of the archive have the same name"),
+            ("./modelDescription.xml", "'./modelDescription.xml' is written where another one is"),
+        ] {
+            let mut zip = zip::ZipWriter::new(fs::File::create(&path).unwrap());
+            for name in ["modelDescription.xml", second] {
+                zip.start_file(name, SimpleFileOptions::default()).unwrap();
+            }
+            zip.finish().unwrap();
+            let mut bytes = fs::read(&path).unwrap();
+            while let Some(at) = bytes.windows(4).position(|part| part == b".xmk") {
+                bytes[at..at + 4].copy_from_slice(b".xml");
+            }
+            fs::write(&path, bytes).unwrap();
+            let target = tempfile::tempdir().unwrap();
+            let error = unpack(&path, target.path()).unwrap_err().to_string();
+            assert!(error.contains(reason), "{error}");
+        }
     }
 
     const SMALL: Limits = Limits { bytes: 6, files: 1 };

@@ -32,6 +32,17 @@ impl FileError {
     }
 }
 
+/// Writes a file under a hidden name first, so that whoever reads it finds the old or the new, whole.
+///
+/// # Errors
+/// When it cannot be written.
+pub fn write_whole(path: &Path, text: &str) -> Result<(), FileError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let hidden = path.with_file_name(format!(".{name}"));
+    let written = std::fs::write(&hidden, text).and_then(|()| std::fs::rename(&hidden, path));
+    written.map_err(FileError::at(path))
+}
+
 /// Reads a TOML file.
 ///
 /// # Errors

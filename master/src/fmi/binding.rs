@@ -1,9 +1,10 @@
 //! The C functions of an FMI 2.0 co-simulation FMU (FMI 2.0 §2.1, §4.2).
 
-use std::ffi::{c_char, c_double, c_int, c_uint, c_void};
+use std::error::Error;
+use std::ffi::{CStr, c_char, c_double, c_int, c_uint, c_void};
 use std::path::Path;
 
-use libloading::Library;
+use super::library::LoadedLibrary;
 
 /// `fmi2Component`.
 pub type Component = *mut c_void;
@@ -56,21 +57,19 @@ macro_rules! functions {
         pub struct Functions {
             $($(#[$doc])* pub $field: unsafe extern "C" fn($($argument),*) -> $result,)*
             /// Keeps the functions valid.
-            _library: Library,
+            library: LoadedLibrary,
         }
 
         impl Functions {
-            /// Loads a binary.
+            /// Loads a binary of the FMU that messages call `subject`.
             ///
             /// # Errors
             /// When the binary cannot be loaded or lacks a function.
-            pub fn load(binary: &Path) -> Result<Self, libloading::Error> {
-                // SAFETY: loading runs the binary's initialisers; to run a foreign binary is
-                // what importing an FMU means, and the user has chosen the file.
-                let library = unsafe { Library::new(binary)? };
+            pub fn load(binary: &Path, subject: &str) -> Result<Self, libloading::Error> {
+                let library = LoadedLibrary::load(binary, subject)?;
                 $(
                     // SAFETY: FMI 2.0 fixes the type of the function of that name.
-                    let $field = *unsafe {
+                    let $field = unsafe {
                         library.get::<unsafe extern "C" fn($($argument),*) -> $result>($name)?
                     };
                 )*
@@ -78,7 +77,24 @@ macro_rules! functions {
                     // SAFETY: the symbol is only looked up, never called.
                     unsafe { library.get::<unsafe extern "C" fn()>(*name)? };
                 }
-                Ok(Self { $($field,)* _library: library })
+                Ok(Self { $($field,)* library })
+            }
+
+            /// What `fmi2GetVersion` and `fmi2GetTypesPlatform` answer.
+            pub fn version_and_platform(&self) -> (String, String) {
+                let text = |name: &CStr, function: unsafe extern "C" fn() -> *const c_char| {
+                    // SAFETY: the functions take nothing and may be called at any time.
+                    let pointer = self.library.calling(name, || unsafe { function() });
+                    match pointer.is_null() {
+                        true => String::new(),
+                        // SAFETY: they give texts that live as long as the binary is loaded.
+                        false => unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned(),
+                    }
+                };
+                (
+                    text(c"fmi2GetVersion", self.get_version),
+                    text(c"fmi2GetTypesPlatform", self.get_types_platform),
+                )
             }
         }
 
@@ -155,17 +171,24 @@ const ALSO_REQUIRED: &[&[u8]] = &[
     b"fmi2GetStringStatus",
 ];
 
-/// The functions that a binary lacks of the 34 that every FMU must have.
+/// The functions that a binary of the FMU `subject` lacks of the 34 that every FMU must have.
 ///
 /// # Errors
 /// When the binary cannot be loaded.
-pub fn missing_functions(binary: &Path) -> Result<Vec<String>, libloading::Error> {
-    // SAFETY: as in `Functions::load`.
-    let library = unsafe { Library::new(binary)? };
+pub fn missing_functions(binary: &Path, subject: &str) -> Result<Vec<String>, libloading::Error> {
+    let library = LoadedLibrary::load(binary, subject)?;
     // SAFETY: the symbol is only looked up, never called.
     let lacks = |name: &[u8]| unsafe { library.get::<unsafe extern "C" fn()>(name) }.is_err();
     let names = CALLED.iter().chain(ALSO_REQUIRED).filter(|name| lacks(name));
     Ok(names.map(|name| String::from_utf8_lossy(name).into_owned()).collect())
+}
+
+/// Why a binary cannot be loaded, as the system says: which library or function is missing.
+pub fn reason(error: &libloading::Error) -> String {
+    match error.source() {
+        Some(source) => source.to_string(),
+        None => error.to_string(),
+    }
 }
 
 /// The name of a status.

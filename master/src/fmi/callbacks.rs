@@ -1,11 +1,10 @@
 //! What an FMU may call: the logger and the memory functions.
 
 use std::ffi::{CStr, c_char, c_int, c_void};
-use std::sync::Mutex;
-
-use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 use super::binding::Callbacks;
+use super::messages::Messages;
 
 unsafe extern "C" {
     /// Defined in `logger.c`.
@@ -14,100 +13,34 @@ unsafe extern "C" {
     fn free(memory: *mut c_void);
 }
 
-/// Collects the messages of one instance: the last one for error messages, and warnings.
-#[derive(Default)]
-pub struct Messages {
-    content: Mutex<Content>,
-}
-
-/// What an instance has said so far.
-#[derive(Clone, Default, Serialize, Deserialize)]
-pub struct Content {
-    last: Option<String>,
-    warnings: Vec<String>,
-    /// Whether a message has come that explains a warning not yet noted.
-    warned: bool,
-}
-
-/// Warnings kept per instance; an FMU that warns in each step must not fill the memory.
-const MAX_WARNINGS: usize = 20;
-
-impl Messages {
-    /// The last message.
-    pub fn last(&self) -> Option<String> {
-        self.content.lock().ok()?.last.clone()
-    }
-
-    /// Takes the warnings out.
-    pub fn take_warnings(&self) -> Vec<String> {
-        self.content.lock().map(|mut c| std::mem::take(&mut c.warnings)).unwrap_or_default()
-    }
-
-    /// What the instance has said so far, to be saved.
-    pub fn content(&self) -> Content {
-        self.content.lock().map(|content| content.clone()).unwrap_or_default()
-    }
-
-    /// Goes on from what another instance had said.
-    pub fn set_content(&self, said: Content) {
-        if let Ok(mut content) = self.content.lock() {
-            *content = said;
-        }
-    }
-
-    /// Keeps a warning that came without a message since the one before.
-    pub fn note_warning(&self, action: &str) {
-        if let Ok(mut content) = self.content.lock()
-            && !std::mem::take(&mut content.warned)
-            && content.warnings.len() < MAX_WARNINGS
-        {
-            content.warnings.push(format!("{action} returned fmi2Warning without a message"));
-        }
-    }
-
-    fn add(&self, status: c_int, message: String) {
-        if let Ok(mut content) = self.content.lock() {
-            if status != super::binding::OK {
-                content.warned = true;
-                if content.warnings.len() < MAX_WARNINGS {
-                    content.warnings.push(message.clone());
-                }
-            }
-            content.last = Some(message);
-        }
-    }
-}
-
-/// The callbacks that log into `messages`, which must outlive the instance.
-pub fn callbacks(messages: &Messages) -> Callbacks {
-    Callbacks {
+/// The callbacks of the instance whose messages these are. They live as long as the process, as an FMU
+/// may hold on to them, and threads of its own may outlive it.
+pub fn callbacks(messages: &'static Messages) -> &'static Callbacks {
+    Box::leak(Box::new(Callbacks {
         logger: hotfoot_logger as *const c_void,
         allocate: calloc,
         free,
         step_finished: std::ptr::null(),
         environment: std::ptr::from_ref(messages).cast_mut().cast(),
-    }
+    }))
 }
 
-/// Called by `logger.c` with the formatted message.
+/// Called by `logger.c` with the formatted message. The environment is whatever the FMU hands back.
 ///
 /// # Safety
-/// `environment` comes from [`callbacks`]; `message` is a C string.
+/// `caller` and `message` are C strings.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn hotfoot_take_message(
     environment: *mut c_void,
+    caller: *const c_char,
     status: c_int,
-    _category: *const c_char,
     message: *const c_char,
 ) {
-    if environment.is_null() {
-        return;
-    }
-    // SAFETY: `callbacks` set the environment to a `Messages` that outlives the instance, and
-    // `logger.c` passes its own buffer, which ends with zero.
-    let (messages, text) =
-        unsafe { (&*environment.cast::<Messages>(), CStr::from_ptr(message).to_string_lossy()) };
-    messages.add(status, text.into_owned());
+    // SAFETY: `logger.c` passes two C strings; the environment is only compared.
+    let (caller, text) = unsafe {
+        (CStr::from_ptr(caller).to_string_lossy(), CStr::from_ptr(message).to_string_lossy())
+    };
+    Messages::take_in(environment.addr(), Path::new(&*caller), status, &text);
 }
 
 #[cfg(test)]
@@ -127,9 +60,9 @@ mod tests {
     /// The message is formatted as `printf` of C does (C11, 7.21.6.1).
     #[test]
     fn what_an_fmu_logs_is_formatted() {
-        let messages = Messages::default();
-        let callbacks = callbacks(&messages);
-        let log = logger(&callbacks);
+        let messages = Messages::of("vehicle", Path::new("vehicle.so"));
+        let callbacks = callbacks(messages);
+        let log = logger(callbacks);
         // SAFETY: the texts are C strings, and the arguments those of the format.
         unsafe {
             log(
@@ -147,33 +80,5 @@ mod tests {
         assert_eq!(messages.last().as_deref(), Some(expected));
         assert_eq!(messages.take_warnings(), [expected]);
         assert!(messages.take_warnings().is_empty(), "they are taken out");
-    }
-
-    #[test]
-    fn a_warning_without_message_is_noted_and_one_with_a_message_is_not_noted_twice() {
-        let messages = Messages::default();
-        messages.note_warning("fmi2DoStep");
-        assert_eq!(messages.take_warnings(), ["fmi2DoStep returned fmi2Warning without a message"]);
-        messages.add(super::super::binding::WARNING, "low oil".to_owned());
-        messages.note_warning("fmi2DoStep");
-        assert_eq!(messages.take_warnings(), ["low oil"]);
-    }
-
-    #[test]
-    fn an_fmu_that_warns_in_each_step_does_not_fill_the_memory() {
-        let messages = Messages::default();
-        for step in 0..1000 {
-            messages.add(super::super::binding::WARNING, format!("step {step}"));
-        }
-        assert_eq!(messages.take_warnings().len(), MAX_WARNINGS);
-        assert_eq!(messages.last().as_deref(), Some("step 999"), "the last one explains an error");
-    }
-
-    #[test]
-    fn an_ordinary_message_is_no_warning() {
-        let messages = Messages::default();
-        messages.add(super::super::binding::OK, "started".to_owned());
-        assert_eq!(messages.last().as_deref(), Some("started"));
-        assert!(messages.take_warnings().is_empty());
     }
 }

@@ -4,9 +4,8 @@
 use std::ffi::{CStr, CString, c_char, c_int};
 use std::path::Path;
 
-use libloading::Library;
-
 use super::import::ImportError;
+use super::library::LoadedLibrary;
 use crate::interface::Interface;
 
 /// `hotfoot_model_description` and its like: 0 and the text, or the reason.
@@ -27,31 +26,36 @@ pub struct Description {
     pub terminals: String,
 }
 
-/// The description of `binary` for the files in the folder `resources`.
+/// The description of `binary`, which messages of a crash call `subject`, for the files in the folder
+/// `resources`.
 ///
 /// # Errors
 /// When the binary cannot be loaded, is not one of Hotfoot's, or refuses the resources.
-pub fn describe(binary: &Path, resources: &Path) -> Result<Description, ImportError> {
+pub fn describe(
+    binary: &Path,
+    subject: &str,
+    resources: &Path,
+) -> Result<Description, ImportError> {
     let file = binary.display().to_string();
-    let not_ours = |source| ImportError::Binary {
+    let not_ours = |cause| ImportError::Binary {
         file: file.clone(),
         binary: "that describes itself (only Hotfoot's own can be packed)".to_owned(),
-        source,
+        cause,
     };
-    // SAFETY: loading runs the binary's initialisers; the user has chosen the file.
-    let library = unsafe { Library::new(binary) }.map_err(not_ours)?;
+    let library = LoadedLibrary::load(binary, subject).map_err(not_ours)?;
     // SAFETY: `fmu::export!` gives the function this type.
-    let free = *unsafe { library.get::<Free>(b"hotfoot_free_text") }.map_err(not_ours)?;
-    let text = |name: &[u8]| {
+    let free = unsafe { library.get::<Free>(b"hotfoot_free_text") }.map_err(not_ours)?;
+    let text = |name: &CStr| {
         // SAFETY: `fmu::export!` gives the function this type.
-        let function = *unsafe { library.get::<Describe>(name) }.map_err(not_ours)?;
+        let function = unsafe { library.get::<Describe>(name.to_bytes()) }.map_err(not_ours)?;
         // SAFETY: both functions belong to the library, which is loaded.
-        unsafe { ask(function, free, resources) }
+        library
+            .calling(name, || unsafe { ask(function, free, resources) })
             .map_err(|message| ImportError::Describe { file: file.clone(), message })
     };
-    let xml = text(b"hotfoot_model_description")?;
-    let html = text(b"hotfoot_documentation")?;
-    let terminals = text(b"hotfoot_terminals")?;
+    let xml = text(c"hotfoot_model_description")?;
+    let html = text(c"hotfoot_documentation")?;
+    let terminals = text(c"hotfoot_terminals")?;
     let interface = Interface::from_xml(&xml)
         .map_err(|source| ImportError::ModelDescription { file: file.clone(), source })?;
     Ok(Description { identifier: interface.identifier, xml, html, terminals })

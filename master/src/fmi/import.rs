@@ -1,15 +1,18 @@
 //! An FMU file: unpacked and loaded once, instantiated as often as needed.
 
-use std::ffi::{CStr, c_char};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
-use super::binding::Functions;
+use super::binaries::{Binaries, PLATFORM};
+use super::binding::{Functions, reason};
+use super::guard::environment::Environment;
+use super::messages::Messages;
 use super::origins::Origins;
 use crate::files::archive::{self, ArchiveError};
+use crate::files::xml_text;
 use crate::interface::{Interface, InterfaceError};
 
 /// Characters that a file URI must not hold as they are.
@@ -28,13 +31,6 @@ const NOT_IN_URI: &AsciiSet = &CONTROLS
     .add(b'{')
     .add(b'|')
     .add(b'}');
-
-/// Where the binary lies in an FMU on this platform (FMI 2.0 §2.3).
-const PLATFORM: &str = match (cfg!(target_os = "windows"), cfg!(target_os = "macos")) {
-    (true, _) => "win64",
-    (_, true) => "darwin64",
-    _ => "linux64",
-};
 
 /// Why an FMU cannot be imported.
 #[derive(Debug, thiserror::Error)]
@@ -59,14 +55,24 @@ pub enum ImportError {
         source: InterfaceError,
     },
     /// The binary is missing, or lacks a function.
-    #[error("{file}: the binary {binary} cannot be loaded: {source}")]
+    #[error("{file}: the binary {binary} cannot be loaded: {}", reason(cause))]
     Binary {
         /// FMU.
         file: String,
         /// Path inside of the FMU.
         binary: String,
-        /// Reason.
-        source: libloading::Error,
+        /// Reason; not a source, as its own sentence says less.
+        cause: libloading::Error,
+    },
+    /// There is no binary for this platform.
+    #[error("{file} has no binary {binary}, which this platform needs; {has}")]
+    NoBinary {
+        /// FMU.
+        file: String,
+        /// Path inside of the FMU.
+        binary: String,
+        /// What it has instead.
+        has: String,
     },
     /// There is no room for unpacking.
     #[error("no temporary folder can be made for {file}: {source}")]
@@ -92,6 +98,10 @@ pub struct Import {
     file: String,
     interface: Interface,
     pub(super) functions: Functions,
+    /// The loaded binary.
+    binary: PathBuf,
+    /// What loading it did to how the processor computes.
+    change: Option<String>,
     /// Keeps the unpacked files.
     folder: tempfile::TempDir,
     /// What the resources are copies of.
@@ -116,18 +126,37 @@ impl Import {
     /// When the file is not a usable FMI 2.0 co-simulation FMU for this platform.
     pub fn open_copy(path: &Path, origins: Origins) -> Result<Arc<Self>, ImportError> {
         let file = path.display().to_string();
-        let folder = tempfile::Builder::new()
-            .prefix("hotfoot-fmu-")
-            .tempdir()
-            .map_err(|source| ImportError::NoFolder { file: file.clone(), source })?;
+        let folder = temporary_folder(&file)?;
         archive::unpack(path, folder.path())?;
         let interface = read_interface(folder.path(), &file)?;
         let binary = binary_path(&interface.identifier);
-        let functions = Functions::load(&folder.path().join(&binary)).map_err(|source| {
-            ImportError::Binary { file: file.clone(), binary: binary.display().to_string(), source }
+        let full = folder.path().join(&binary);
+        if !full.is_file() {
+            let (binary, has) =
+                (binary.display().to_string(), Binaries::of(folder.path()).sentence());
+            return Err(ImportError::NoBinary { file, binary, has });
+        }
+        let before = Environment::now();
+        let functions = Functions::load(&full, &file);
+        let change = before.put_back();
+        let functions = functions.map_err(|cause| ImportError::Binary {
+            file: file.clone(),
+            binary: binary.display().to_string(),
+            cause,
         })?;
-        let fatal = AtomicBool::new(false);
-        Ok(Arc::new(Self { file, interface, functions, folder, origins, fatal }))
+        let (binary, fatal) = (full, AtomicBool::new(false));
+        Ok(Arc::new(Self { file, interface, functions, binary, change, folder, origins, fatal }))
+    }
+
+    /// What the model description of an FMU says, whose binary is not needed.
+    ///
+    /// # Errors
+    /// When the file is no FMI 2.0 co-simulation FMU.
+    pub fn interface_of(path: &Path) -> Result<Interface, ImportError> {
+        let file = path.display().to_string();
+        let folder = temporary_folder(&file)?;
+        archive::unpack(path, folder.path())?;
+        read_interface(folder.path(), &file)
     }
 
     /// What the model description says.
@@ -138,6 +167,18 @@ impl Import {
     /// The FMU's file.
     pub fn file(&self) -> &str {
         &self.file
+    }
+
+    /// The loaded binary.
+    pub(super) fn binary(&self) -> &Path {
+        &self.binary
+    }
+
+    /// Notes for an instance what loading the binary did to how the processor computes.
+    pub(super) fn tell_loading(&self, messages: &Messages) {
+        if let Some(change) = &self.change {
+            messages.note_environment(&format!("loading its binary left {change}"));
+        }
     }
 
     /// Notes that an instance has returned `fmi2Fatal`.
@@ -152,15 +193,7 @@ impl Import {
 
     /// What `fmi2GetVersion` and `fmi2GetTypesPlatform` answer.
     pub fn version_and_platform(&self) -> (String, String) {
-        let text = |pointer: *const c_char| match pointer.is_null() {
-            true => String::new(),
-            // SAFETY: both functions give texts that live as long as the binary is loaded.
-            false => unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned(),
-        };
-        // SAFETY: the functions take nothing and may be called at any time.
-        unsafe {
-            (text((self.functions.get_version)()), text((self.functions.get_types_platform)()))
-        }
+        self.functions.version_and_platform()
     }
 
     /// A message of the FMU with the files that the user knows.
@@ -179,6 +212,12 @@ impl Import {
     }
 }
 
+/// A folder for what is unpacked of an FMU.
+fn temporary_folder(file: &str) -> Result<tempfile::TempDir, ImportError> {
+    let no_folder = |source| ImportError::NoFolder { file: file.to_owned(), source };
+    tempfile::Builder::new().prefix("hotfoot-fmu-").tempdir().map_err(no_folder)
+}
+
 /// A path as a URI of the scheme `file` (RFC 8089), its other characters by percent (RFC 3986, 2.1).
 fn file_uri(path: &Path) -> String {
     format!("file://{}", utf8_percent_encode(&path.to_string_lossy(), NOT_IN_URI))
@@ -186,7 +225,7 @@ fn file_uri(path: &Path) -> String {
 
 /// Reads the model description of an unpacked FMU.
 pub fn read_interface(folder: &Path, file: &str) -> Result<Interface, ImportError> {
-    let xml = std::fs::read_to_string(folder.join("modelDescription.xml"))
+    let xml = xml_text::read(&folder.join("modelDescription.xml"))
         .map_err(|source| ImportError::NoModelDescription { file: file.to_owned(), source })?;
     Interface::from_xml(&xml)
         .map_err(|source| ImportError::ModelDescription { file: file.to_owned(), source })

@@ -4,9 +4,12 @@ use std::ffi::{CStr, CString};
 use std::sync::Arc;
 
 use super::binding::{self, Component, FATAL, FmuState, Functions, OK, Status, WARNING};
-use super::callbacks::{Messages, callbacks};
-use super::crash::calling;
+use super::callbacks::callbacks;
+use super::guard::arrays::Arrays;
+use super::guard::guarded;
 use super::import::Import;
+use super::messages::Messages;
+use super::watched::{Label, label};
 use crate::interface::VariableType;
 use crate::system::unit::UnitError;
 
@@ -21,16 +24,22 @@ pub(super) struct StateSlot(pub(super) Option<FmuState>);
 pub struct FmuInstance {
     pub(super) import: Arc<Import>,
     pub(super) name: String,
-    /// Name and file, for the message of a crash.
-    label: CString,
+    /// Name and file, for the message of a crash or a call without end.
+    label: Label,
     component: Component,
+    /// Relative tolerance that it is told.
+    pub(super) tolerance: Option<f64>,
+    /// The time at which it wants the run to end, once it does.
+    pub(super) wish_to_end: Option<f64>,
     /// Whether a discarded step is tried again in parts.
     pub(super) retries: bool,
     /// The state before the last step, if discarded steps are tried again.
     pub(super) slot: StateSlot,
-    pub(super) messages: Box<Messages>,
-    /// Kept because the FMU may hold on to the pointer.
-    _callbacks: Box<binding::Callbacks>,
+    pub(super) messages: &'static Messages,
+    /// Arrays for Reals.
+    pub(super) reals: Arrays<f64>,
+    /// Arrays for Integers and Booleans.
+    pub(super) integers: Arrays<i32>,
 }
 
 // SAFETY: an FMU instance may be called from any thread as long as the calls do not overlap
@@ -44,22 +53,23 @@ impl FmuInstance {
     /// # Errors
     /// When the FMU refuses, with what it logged.
     pub fn new(import: &Arc<Import>, name: &str) -> Result<Self, UnitError> {
-        let messages = Box::<Messages>::default();
-        let callbacks = Box::new(callbacks(&messages));
         let c_name = CString::new(name).unwrap_or_default();
         let guid = CString::new(import.interface().guid.as_str()).unwrap_or_default();
         let resources = CString::new(import.resource_uri()).unwrap_or_default();
-        let label = CString::new(format!("{name} ({})", import.file())).unwrap_or_default();
-        let component = calling(&label, c"fmi2Instantiate", || {
-            // SAFETY: the strings and the callbacks live during the call, and the callbacks and
-            // messages as long as the instance.
+        let subject = format!("{name} ({})", import.file());
+        let messages = Messages::of(&subject, import.binary());
+        import.tell_loading(messages);
+        let callbacks = callbacks(messages);
+        let label = label(&subject);
+        let component = guarded(messages, label, c"fmi2Instantiate", || {
+            // SAFETY: the strings live during the call, the callbacks as long as the process.
             unsafe {
                 (import.functions.instantiate)(
                     c_name.as_ptr(),
                     CO_SIMULATION,
                     guid.as_ptr(),
                     resources.as_ptr(),
-                    &raw const *callbacks,
+                    callbacks,
                     0,
                     0,
                 )
@@ -70,15 +80,25 @@ impl FmuInstance {
             name: name.to_owned(),
             label,
             component,
+            tolerance: import.interface().experiment.tolerance,
+            wish_to_end: None,
             retries: false,
             slot: StateSlot::default(),
             messages,
-            _callbacks: callbacks,
+            reals: Arrays::default(),
+            integers: Arrays::default(),
         };
         if component.is_null() {
             return Err(instance.error("fmi2Instantiate".to_owned(), None));
         }
         Ok(instance)
+    }
+
+    /// The instance with another relative tolerance than its FMU proposes; none: that.
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: Option<f64>) -> Self {
+        self.tolerance = tolerance.or(self.tolerance);
+        self
     }
 
     /// Lets a step that the FMU discards be tried again in parts, from the state before it. An FMU
@@ -115,7 +135,7 @@ impl FmuInstance {
             return Err(self.error(action, None));
         }
         let (functions, component) = (&self.import.functions, self.component);
-        Ok(calling(&self.label, name, || function(functions, component)))
+        Ok(guarded(self.messages, self.label, name, || function(functions, component)))
     }
 
     /// Calls a function of the FMU and turns a bad status into an error; `detail` follows the name
@@ -153,6 +173,17 @@ impl FmuInstance {
         error
     }
 
+    /// The error of a call in which the FMU has done what it must not.
+    pub(super) fn damaged(
+        &self,
+        name: &CStr,
+        detail: impl FnOnce(&Self) -> String,
+        damage: String,
+    ) -> UnitError {
+        let action = format!("{}{}", name.to_string_lossy(), detail(self));
+        UnitError { last_message: Some(damage.into()), ..self.error(action, None) }
+    }
+
     /// Whether the FMU has failed for good.
     pub(super) fn component_is_fatal(&self) -> bool {
         self.component.is_null() || self.import.is_fatal()
@@ -182,7 +213,8 @@ impl Drop for FmuInstance {
         self.free_state();
         if !self.component_is_fatal() {
             let (functions, component) = (&self.import.functions, self.component);
-            calling(&self.label, c"fmi2FreeInstance", || {
+            self.messages.free();
+            guarded(self.messages, self.label, c"fmi2FreeInstance", || {
                 // SAFETY: the instance is alive and never used again.
                 unsafe { (functions.free_instance)(component) };
             });

@@ -49,11 +49,11 @@ pub enum Binary<'a> {
 pub fn pack(binary: Binary<'_>, resources: &Path, target: &Path) -> Result<(), PackError> {
     let folder = tempfile::tempdir().map_err(FileError::at(target))?;
     let base = folder.path().join("base");
-    let library = match binary {
-        Binary::Library(path) => path.to_owned(),
-        Binary::Fmu(path) => unpacked_binary(path, &base)?,
+    let (library, file) = match binary {
+        Binary::Library(path) => (path.to_owned(), path),
+        Binary::Fmu(path) => (unpacked_binary(path, &base)?, path),
     };
-    let description = describe(&library, resources)?;
+    let description = describe(&library, &file.display().to_string(), resources)?;
 
     let content = folder.path().join("content");
     let file = |name: &str, bytes: &[u8]| write(&content.join(name), bytes);

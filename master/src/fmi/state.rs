@@ -8,8 +8,8 @@ use std::ptr;
 use serde::{Deserialize, Serialize};
 
 use super::binding::{Component, FmuState, Functions, Status};
-use super::callbacks::Content;
 use super::instance::FmuInstance;
+use super::messages::Said;
 use crate::system::unit::{Unit, UnitError};
 
 /// An instance as bytes.
@@ -18,7 +18,7 @@ struct Saved {
     /// What `fmi2SerializeFMUstate` gives.
     #[serde(with = "serde_bytes")]
     state: Vec<u8>,
-    messages: Content,
+    said: Said,
 }
 
 impl FmuInstance {
@@ -27,7 +27,7 @@ impl FmuInstance {
         self.keep()?;
         let state = self.serialized();
         self.free_state();
-        let saved = Saved { state: state?, messages: self.messages.content() };
+        let saved = Saved { state: state?, said: self.messages.save() };
         Ok(postcard::to_allocvec(&saved).expect("plain data can always be serialized"))
     }
 
@@ -47,7 +47,7 @@ impl FmuInstance {
         let set = self.go_back();
         self.free_state();
         set?;
-        self.messages.set_content(saved.messages);
+        self.messages.restore(saved.said);
         Ok(())
     }
 

@@ -31,6 +31,13 @@ impl FmuInstance {
         }
         match self.do_step(time, length)? {
             Outcome::Done => Ok(()),
+            Outcome::Discarded if self.wants_to_end() => {
+                let reached = self.last_successful_time();
+                // A time outside of the step is none that it has come to.
+                let reached = reached.filter(|t| (time..=time + length).contains(t));
+                self.wish_to_end = Some(reached.unwrap_or(time));
+                Err(self.discarded(time, length, ""))
+            }
             Outcome::Discarded if self.retries => self.retry(time, length),
             Outcome::Discarded => Err(self.discarded(time, length, "")),
         }
@@ -60,6 +67,7 @@ impl FmuInstance {
 
     fn do_step(&mut self, time: f64, length: f64) -> Result<Outcome, UnitError> {
         let detail = |_: &Self| format!(" from {time} s by {length} s");
+        self.messages.reached(time);
         let mut status = self.status_of(
             c"fmi2DoStep",
             // SAFETY: the instance is alive.
@@ -68,6 +76,9 @@ impl FmuInstance {
         )?;
         if status == PENDING {
             status = self.wait()?;
+        }
+        if matches!(status, OK | WARNING) {
+            self.messages.reached(time + length);
         }
         match status {
             OK => Ok(Outcome::Done),
@@ -118,8 +129,7 @@ impl FmuInstance {
             Some(reached) => format!(", done until {reached} s,"),
             None => String::new(),
         };
-        let end = if self.wants_to_end() { " (the FMU wants the simulation to end)" } else { "" };
-        let detail = |_: &Self| format!(" from {time} s by {length} s{tried}{reached}{end}");
+        let detail = |_: &Self| format!(" from {time} s by {length} s{tried}{reached}");
         self.failed(c"fmi2DoStep", detail, DISCARD)
     }
 

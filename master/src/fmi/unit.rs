@@ -2,31 +2,38 @@
 
 use std::ffi::{CStr, CString};
 
+use super::binding::Functions;
 use super::instance::FmuInstance;
 use crate::interface::{Interface, VariableType};
 use crate::system::unit::{Unit, UnitError};
 
-/// Setting and getting of variables of a type.
+/// Setting and getting of variables of a type, by arrays that the FMU cannot damage unseen.
 macro_rules! exchange {
-    ($($set:ident, $get:ident: $type:ty, $kind:ident, $c_set:ident $set_name:literal, $c_get:ident $get_name:literal;)*) => {$(
+    ($($set:ident, $get:ident: $type:ty, $arrays:ident, $kind:ident, $c_set:ident $set_name:literal, $c_get:ident $get_name:literal;)*) => {$(
         fn $set(&mut self, references: &[u32], values: &[$type]) -> Result<(), UnitError> {
             assert_eq!(references.len(), values.len(), "one value for each reference");
-            self.call(
-                $set_name,
-                // SAFETY: both arrays have the stated length.
-                |f, c| unsafe { (f.$c_set)(c, references.as_ptr(), references.len(), values.as_ptr()) },
-                |this| format!(" of {}", this.names(VariableType::$kind, references)),
-            )
+            let (r, v) = self.$arrays.lend(references, values);
+            let detail = |this: &Self| format!(" of {}", this.names(VariableType::$kind, references));
+            // SAFETY: both arrays have the stated length.
+            let set = |f: &Functions, c| unsafe { (f.$c_set)(c, r, references.len(), v) };
+            let called = self.call($set_name, set, detail);
+            match self.$arrays.damage_in_setting(references, values) {
+                Some(damage) => Err(self.damaged($set_name, detail, damage)),
+                None => called,
+            }
         }
 
         fn $get(&mut self, references: &[u32], values: &mut [$type]) -> Result<(), UnitError> {
             assert_eq!(references.len(), values.len(), "one element for each reference");
-            self.call(
-                $get_name,
-                // SAFETY: both arrays have the stated length.
-                |f, c| unsafe { (f.$c_get)(c, references.as_ptr(), references.len(), values.as_mut_ptr()) },
-                |this| format!(" of {}", this.names(VariableType::$kind, references)),
-            )
+            let (r, v) = self.$arrays.lend(references, values);
+            let detail = |this: &Self| format!(" of {}", this.names(VariableType::$kind, references));
+            // SAFETY: both arrays have the stated length.
+            let get = |f: &Functions, c| unsafe { (f.$c_get)(c, r, references.len(), v) };
+            let called = self.call($get_name, get, detail);
+            match self.$arrays.damage_in_getting(references, values) {
+                Some(damage) => Err(self.damaged($get_name, detail, damage)),
+                None => called,
+            }
         }
     )*};
 }
@@ -72,16 +79,19 @@ impl Unit for FmuInstance {
     }
 
     exchange! {
-        set_reals, get_reals: f64, Real, set_real c"fmi2SetReal", get_real c"fmi2GetReal";
-        set_integers, get_integers: i32, Integer, set_integer c"fmi2SetInteger", get_integer c"fmi2GetInteger";
-        set_booleans, get_booleans: i32, Boolean, set_boolean c"fmi2SetBoolean", get_boolean c"fmi2GetBoolean";
+        set_reals, get_reals: f64, reals, Real, set_real c"fmi2SetReal", get_real c"fmi2GetReal";
+        set_integers, get_integers: i32, integers, Integer, set_integer c"fmi2SetInteger", get_integer c"fmi2GetInteger";
+        set_booleans, get_booleans: i32, integers, Boolean, set_boolean c"fmi2SetBoolean", get_boolean c"fmi2GetBoolean";
     }
 
     fn enter_initialization(&mut self, start: f64, stop: f64) -> Result<(), UnitError> {
+        let (stated, tolerance) =
+            (i32::from(self.tolerance.is_some()), self.tolerance.unwrap_or(0.0));
+        self.messages.reached(start);
         self.call(
             c"fmi2SetupExperiment",
             // SAFETY: the instance is alive.
-            |f, c| unsafe { (f.setup_experiment)(c, 0, 0.0, start, 1, stop) },
+            |f, c| unsafe { (f.setup_experiment)(c, stated, tolerance, start, 1, stop) },
             |_| format!(" from {start} s to {stop} s"),
         )?;
         self.call(
@@ -103,6 +113,10 @@ impl Unit for FmuInstance {
 
     fn step(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
         self.step_or_retry(time, length)
+    }
+
+    fn wish_to_end(&self) -> Option<f64> {
+        self.wish_to_end
     }
 
     fn keeps_states(&self) -> bool {

@@ -1,17 +1,28 @@
 //! The interface of an FMU as its modelDescription.xml states it (FMI 2.0 §2.2).
 
+mod experiment;
+pub mod identifier;
 pub mod name_pattern;
 #[cfg(test)]
 mod published_tests;
+pub mod range;
 pub mod si;
+mod types;
 mod xml;
 
 use std::collections::HashMap;
 
+pub use experiment::DefaultExperiment;
+use serde::{Deserialize, Serialize};
+
+use crate::files::xml_depth::{TooDeep, check_depth};
+use crate::interface::identifier::{C_NAME, is_c_name};
+use crate::interface::range::Range;
 use crate::interface::si::SiUnit;
+use crate::interface::types::Types;
 
 /// Type of a variable.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum VariableType {
     /// Real.
     Real,
@@ -34,10 +45,14 @@ pub struct Variable {
     pub kind: VariableType,
     /// `parameter`, `input`, `output`, `local`, …
     pub causality: String,
+    /// Whether it changes in steps only; what is no Real always does.
+    pub discrete: bool,
     /// Unit of a Real, where stated.
     pub unit: Option<String>,
     /// What that unit is in SI base units, where the model description traces it to them.
     pub si: Option<SiUnit>,
+    /// What it may be, by itself or its declared type.
+    pub range: Range,
     /// Start value as it is written, where one is stated.
     pub start: Option<String>,
     /// Description, empty where none is stated.
@@ -61,6 +76,8 @@ pub struct Interface {
     pub can_serialize_state: bool,
     /// Whether steps may differ in length.
     pub variable_step: bool,
+    /// What it proposes for a run.
+    pub experiment: DefaultExperiment,
     variables: HashMap<String, Variable>,
     units: HashMap<String, SiUnit>,
 }
@@ -71,6 +88,12 @@ pub enum InterfaceError {
     /// Not XML, or not of the form of FMI 2.0.
     #[error("modelDescription.xml cannot be read: {0}")]
     Syntax(#[from] serde_xml_rs::Error),
+    /// Its elements lie too deep in each other.
+    #[error("modelDescription.xml, {0}")]
+    Depth(#[from] TooDeep),
+    /// The binary cannot be named like this.
+    #[error("modelDescription.xml: modelIdentifier is \"{0}\", but must be {C_NAME}")]
+    Identifier(String),
     /// Another version of FMI.
     #[error("modelDescription.xml is of FMI {0}; Hotfoot runs FMUs of FMI 2.0")]
     Version(String),
@@ -85,12 +108,16 @@ impl Interface {
     /// # Errors
     /// When it is not a model description of an FMI 2.0 co-simulation FMU.
     pub fn from_xml(xml: &str) -> Result<Self, InterfaceError> {
+        check_depth(xml)?;
         let root: xml::ModelDescription = serde_xml_rs::from_str(xml)?;
         if root.fmi_version != "2.0" {
             return Err(InterfaceError::Version(root.fmi_version));
         }
         let slave = root.co_simulation.ok_or(InterfaceError::NoCoSimulation)?;
-        let units = Units::of(root.unit_definitions, root.type_definitions);
+        if !is_c_name(&slave.model_identifier) {
+            return Err(InterfaceError::Identifier(slave.model_identifier));
+        }
+        let units = Types::of(root.unit_definitions, root.type_definitions);
         let variables = root.model_variables.variables.into_iter();
         Ok(Self {
             identifier: slave.model_identifier,
@@ -100,6 +127,7 @@ impl Interface {
             can_get_and_set_state: slave.can_get_and_set_state,
             can_serialize_state: slave.can_serialize_state,
             variable_step: slave.variable_step,
+            experiment: root.default_experiment.into(),
             variables: variables.filter_map(|scalar| variable(scalar, &units)).collect(),
             units: units.units,
         })
@@ -157,41 +185,13 @@ impl Interface {
     }
 }
 
-/// The units that a model description defines, and the declared types that have one.
-struct Units {
-    units: HashMap<String, SiUnit>,
-    of_type: HashMap<String, xml::Real>,
-}
-
-impl Units {
-    fn of(units: Option<xml::UnitDefinitions>, types: Option<xml::TypeDefinitions>) -> Self {
-        let units = units.map(|list| list.units).unwrap_or_default().into_iter();
-        let types = types.map(|list| list.types).unwrap_or_default().into_iter();
-        Self {
-            units: units.filter_map(|unit| Some((unit.name, unit.base?.si()?))).collect(),
-            of_type: types.filter_map(|simple| Some((simple.name, simple.real?))).collect(),
-        }
-    }
-
-    /// Unit of a Real variable, from itself or its declared type, and what it is in SI.
-    fn of_real(&self, real: xml::Real) -> (Option<String>, Option<SiUnit>) {
-        let declared = real.declared_type.as_ref().and_then(|name| self.of_type.get(name));
-        let unit = real.unit.or_else(|| declared?.unit.clone());
-        let relative = real.relative || declared.is_some_and(|declared| declared.relative);
-        let mut si = unit.as_ref().and_then(|name| self.units.get(name).copied());
-        if let (Some(si), true) = (&mut si, relative) {
-            // A difference of two values knows no offset (§2.2.2).
-            si.to_base.offset = 0.0;
-        }
-        (unit, si)
-    }
-}
-
-fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Variable)> {
-    let ((unit, si), kind, start) = if let Some(mut real) = scalar.real {
-        let start = real.start.take();
-        (units.of_real(real), VariableType::Real, start)
+fn variable(scalar: xml::ScalarVariable, units: &Types) -> Option<(String, Variable)> {
+    let mut range = Range::FINITE;
+    let ((unit, si), kind, start) = if let Some(real) = scalar.real {
+        range = units.range_of_real(&real);
+        (units.of_real(&real), VariableType::Real, real.start)
     } else if let Some(integer) = scalar.integer.or(scalar.enumeration) {
+        range = units.range_of_integer(&integer);
         ((None, None), VariableType::Integer, integer.start)
     } else if let Some(boolean) = scalar.boolean {
         ((None, None), VariableType::Boolean, boolean.start)
@@ -203,8 +203,11 @@ fn variable(scalar: xml::ScalarVariable, units: &Units) -> Option<(String, Varia
         reference: scalar.value_reference,
         kind,
         causality: scalar.causality,
+        discrete: kind != VariableType::Real
+            || !matches!(scalar.variability.as_str(), "" | "continuous"),
         unit,
         si,
+        range,
         start,
         description: scalar.description,
     };

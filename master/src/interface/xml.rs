@@ -18,8 +18,23 @@ pub struct ModelDescription {
     pub unit_definitions: Option<UnitDefinitions>,
     #[serde(rename = "TypeDefinitions")]
     pub type_definitions: Option<TypeDefinitions>,
+    #[serde(rename = "DefaultExperiment", default)]
+    pub default_experiment: DefaultExperiment,
     #[serde(rename = "ModelVariables")]
     pub model_variables: ModelVariables,
+}
+
+/// Numbers as they are written: what makes no sense is as if it were not there.
+#[derive(Default, Deserialize)]
+pub struct DefaultExperiment {
+    #[serde(rename = "@startTime")]
+    pub start: Option<String>,
+    #[serde(rename = "@stopTime")]
+    pub stop: Option<String>,
+    #[serde(rename = "@stepSize")]
+    pub step: Option<String>,
+    #[serde(rename = "@tolerance")]
+    pub tolerance: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -89,6 +104,8 @@ pub struct SimpleType {
     pub name: String,
     #[serde(rename = "Real")]
     pub real: Option<Real>,
+    #[serde(rename = "Integer")]
+    pub integer: Option<Other>,
 }
 
 #[derive(Deserialize)]
@@ -119,6 +136,8 @@ pub struct ScalarVariable {
     pub value_reference: u32,
     #[serde(rename = "@causality", default = "local")]
     pub causality: String,
+    #[serde(rename = "@variability", default)]
+    pub variability: String,
     #[serde(rename = "@description", default)]
     pub description: String,
     #[serde(rename = "Real")]
@@ -141,6 +160,10 @@ pub struct Real {
     pub unit: Option<String>,
     #[serde(rename = "@relativeQuantity", default)]
     pub relative: bool,
+    #[serde(rename = "@min")]
+    pub min: Option<String>,
+    #[serde(rename = "@max")]
+    pub max: Option<String>,
     #[serde(rename = "@start")]
     pub start: Option<String>,
 }
@@ -148,6 +171,12 @@ pub struct Real {
 /// A variable of another type than Real.
 #[derive(Deserialize)]
 pub struct Other {
+    #[serde(rename = "@declaredType")]
+    pub declared_type: Option<String>,
+    #[serde(rename = "@min")]
+    pub min: Option<String>,
+    #[serde(rename = "@max")]
+    pub max: Option<String>,
     #[serde(rename = "@start")]
     pub start: Option<String>,
 }

@@ -4,6 +4,8 @@
 //! they are taken apart again, so that the table comes out as if it had never been joined.
 
 use std::fs::{self, File};
+use std::path::Path;
+use std::slice;
 
 use arrow_array::RecordBatch;
 use arrow_schema::SchemaRef;
@@ -12,7 +14,7 @@ use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::errors::ParquetError;
 
 use super::RecordingError;
-use super::parts::{Parts, write_file};
+use super::parts::{Parts, rows_of, write_file};
 
 impl Parts {
     /// Leaves the first `count` parts, each of so many rows, and nothing of what was recorded then.
@@ -38,7 +40,7 @@ impl Parts {
         fs::create_dir_all(&self.folder).map_err(RecordingError::file(&self.folder))?;
         let kept: Vec<_> = (0..count).map(|number| self.file(number)).collect();
         for part in &kept {
-            let found = File::open(part).ok().and_then(|file| rows_of(file).ok());
+            let found = count_rows(part).ok();
             if found != Some(rows) {
                 return Err(self.too_short());
             }
@@ -63,18 +65,13 @@ impl Parts {
         self.remove()?;
         fs::create_dir_all(&self.folder).map_err(RecordingError::file(&self.folder))?;
         let wrong = || RecordingError::parquet::<ParquetError>(&self.joined);
-        let file = File::open(&self.joined).map_err(RecordingError::file(&self.joined))?;
-        let reader = ParquetRecordBatchReaderBuilder::try_new(file).map_err(wrong())?;
-        // Batches as long as a part, so that the file need not fit into the memory.
-        let reader = reader.with_batch_size(rows).build().map_err(wrong())?;
         let mut written = 0;
         let mut left: Vec<RecordBatch> = vec![];
-        for batch in reader {
+        for batch in rows_of(slice::from_ref(&self.joined)) {
             if written == count {
                 break;
             }
-            let batch = batch.map_err(|error| wrong()(error.into()))?;
-            left.push(batch);
+            left.push(batch.map_err(wrong())?);
             let together = concat_batches(schema, &left);
             let together = together.map_err(|error| wrong()(error.into()))?;
             left.clear();
@@ -100,7 +97,7 @@ impl Parts {
 }
 
 /// Number of rows of a file.
-fn rows_of(file: File) -> Result<usize, ParquetError> {
-    let reader = ParquetRecordBatchReaderBuilder::try_new(file)?;
+fn count_rows(file: &Path) -> Result<usize, ParquetError> {
+    let reader = ParquetRecordBatchReaderBuilder::try_new(File::open(file)?)?;
     Ok(usize::try_from(reader.metadata().file_metadata().num_rows()).unwrap_or_default())
 }

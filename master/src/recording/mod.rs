@@ -9,6 +9,7 @@
 //! | `parts.rs` | the files of a table: parts while the run goes on, one file at its end |
 //! | `cut.rs` | cuts a table for a run that goes on |
 //! | `open_part.rs` | the records since the last part, for when the program dies |
+//! | `complete.rs` | the tables of a run that was killed, completed |
 //! | `reader.rs` | reads a column of a table, of a finished or of a killed run |
 //!
 //! Nothing here knows FMUs, and nothing in a file depends on the clock, on threads or on the
@@ -16,6 +17,7 @@
 
 mod accumulator;
 mod column;
+mod complete;
 mod cut;
 mod open_part;
 mod parts;
@@ -33,13 +35,16 @@ use std::path::{Path, PathBuf};
 use parquet::errors::ParquetError;
 
 pub use column::{Column, Key, KeyValues};
-pub use parts::complete;
+pub use complete::{Recorded, complete};
 pub use reader::{KeyValue, SeriesReader};
 pub use tables::{Side, VehicleRow, WheelRow, vehicle_keys, vehicle_keys_of, wheel_keys};
 pub use writer::{SeriesWriter, TableState};
 
 /// Name of the first column of every table.
 pub const TIME: &str = "time";
+
+/// Name of the table of the train.
+pub const TRAIN_TABLE: &str = "train";
 
 /// Name of the table of the rails.
 pub const RAIL_TABLE: &str = "rail";
@@ -123,6 +128,18 @@ impl RecordingError {
     fn file(file: &Path) -> impl FnOnce(std::io::Error) -> Self {
         let file = file.to_owned();
         |source| Self::File { file, source }
+    }
+
+    /// An error of writing `file`, which is the file system's where that has refused.
+    fn written(file: &Path) -> impl FnOnce(ParquetError) -> Self {
+        let file = file.to_owned();
+        |source| match source {
+            ParquetError::External(error) => match error.downcast::<std::io::Error>() {
+                Ok(source) => Self::File { file, source: *source },
+                Err(error) => Self::Parquet { file, source: ParquetError::External(error) },
+            },
+            source => Self::Parquet { file, source },
+        }
     }
 
     /// An error of the Parquet content of `file`.

@@ -35,7 +35,13 @@ impl OpenPart {
         record: Result<RecordBatch, ArrowError>,
     ) -> Result<(), RecordingError> {
         let file = &self.file;
-        let wrong = RecordingError::parquet::<ArrowError>;
+        let wrong = |file: &Path| {
+            let file = file.to_owned();
+            |error| match error {
+                ArrowError::IoError(_, source) => RecordingError::File { file, source },
+                error => RecordingError::Parquet { file, source: error.into() },
+            }
+        };
         let stream = match &mut self.stream {
             Some(stream) => stream,
             none => {

@@ -16,8 +16,8 @@
 //!   is atomic: this is done here, because its cost is constant and a file once there is never
 //!   touched again.
 //!
-//! What is recorded after the last part is in an open one (`open_part.rs`), from which [`complete`]
-//! makes the last part of a run whose program has died.
+//! What is recorded after the last part is in an open one (`open_part.rs`), from which
+//! `complete.rs` makes the end of the tables of a run that was killed.
 //!
 //! pandas, pyarrow, polars and DuckDB read a folder of parts as one table, and pass over the
 //! hidden file that a kill may leave. At the end of the run the parts are joined into one
@@ -30,8 +30,6 @@ use std::path::{Path, PathBuf};
 
 use arrow_array::RecordBatch;
 use arrow_schema::{ArrowError, DataType, SchemaRef};
-use arrow_select::concat::concat_batches;
-
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::basic::{Compression, Encoding, ZstdLevel};
@@ -40,7 +38,7 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::schema::types::ColumnPath;
 
 use super::RecordingError;
-use super::open_part::{OpenPart, left_records};
+use super::open_part::OpenPart;
 
 /// Stands in every file as its writer; has no version of ours or of a library, so that the
 /// bytes depend on the values only.
@@ -59,10 +57,7 @@ pub(super) struct Parts {
 impl Parts {
     /// A table that begins with its first record.
     pub fn new(folder: &Path, name: &str) -> Self {
-        Self::of(parts_folder(folder, name), joined_file(folder, name))
-    }
-
-    fn of(folder: PathBuf, joined: PathBuf) -> Self {
+        let (folder, joined) = (parts_folder(folder, name), joined_file(folder, name));
         Self { open: OpenPart::new(&folder), folder, joined, written: 0, begun: false }
     }
 
@@ -118,57 +113,21 @@ impl Parts {
     pub fn join(&mut self, schema: &SchemaRef) -> Result<(), RecordingError> {
         self.begin()?;
         let files = part_files(&self.folder)?;
-        let batches = files.iter().flat_map(|file| match batches(file) {
-            Ok(batches) => batches,
-            Err(error) => vec![Err(error)],
-        });
-        write_file(&self.joined, schema, batches)?;
+        write_file(&self.joined, schema, rows_of(&files))?;
         self.remove()
     }
 
     pub(super) fn remove(&self) -> Result<(), RecordingError> {
-        match self.folder.exists() {
-            true => fs::remove_dir_all(&self.folder).map_err(RecordingError::file(&self.folder)),
-            false => Ok(()),
-        }
+        remove_folder(&self.folder)
     }
 }
 
-/// Completes the tables of a run whose program has died: all that it recorded becomes one file a
-/// table, as at the end of a run.
-///
-/// # Errors
-/// When a file cannot be read or written.
-pub fn complete(folder: &Path) -> Result<(), RecordingError> {
-    let entries = fs::read_dir(folder).map_err(RecordingError::file(folder))?;
-    for entry in entries {
-        let parts = entry.map_err(RecordingError::file(folder))?.path();
-        if parts.extension().is_some_and(|extension| extension == "parts") {
-            complete_table(parts)?;
-        }
+/// Removes the folder of the parts, if it is there.
+pub(super) fn remove_folder(parts: &Path) -> Result<(), RecordingError> {
+    match parts.exists() {
+        true => fs::remove_dir_all(parts).map_err(RecordingError::file(parts)),
+        false => Ok(()),
     }
-    Ok(())
-}
-
-fn complete_table(folder: PathBuf) -> Result<(), RecordingError> {
-    let joined = folder.with_extension("parquet");
-    let written = part_files(&folder)?;
-    let left = left_records(&folder);
-    let schema = match (&left, written.first()) {
-        (Some((schema, _)), _) => schema.clone(),
-        (None, Some(part)) => schema_of(part).map_err(RecordingError::parquet(part))?,
-        // The run died before its first record.
-        (None, None) => return Ok(()),
-    };
-    let mut parts = Parts { written: written.len(), begun: true, ..Parts::of(folder, joined) };
-    if let Some((schema, records)) = left {
-        parts.write(&schema, concat_batches(&schema, &records))?;
-    }
-    parts.join(&schema)
-}
-
-fn schema_of(file: &Path) -> Result<SchemaRef, ParquetError> {
-    Ok(ParquetRecordBatchReaderBuilder::try_new(File::open(file)?)?.schema().clone())
 }
 
 /// The files that hold the table `name`, in the order of time: the joined file, or the parts of
@@ -186,16 +145,16 @@ pub(super) fn table_files(folder: &Path, name: &str) -> Result<Vec<PathBuf>, Rec
     }
 }
 
-fn joined_file(folder: &Path, name: &str) -> PathBuf {
+pub(super) fn joined_file(folder: &Path, name: &str) -> PathBuf {
     folder.join(format!("{name}.parquet"))
 }
 
-fn parts_folder(folder: &Path, name: &str) -> PathBuf {
+pub(super) fn parts_folder(folder: &Path, name: &str) -> PathBuf {
     folder.join(format!("{name}.parts"))
 }
 
 /// The complete parts, in the order they were written.
-fn part_files(folder: &Path) -> Result<Vec<PathBuf>, RecordingError> {
+pub(super) fn part_files(folder: &Path) -> Result<Vec<PathBuf>, RecordingError> {
     let entries = fs::read_dir(folder).map_err(RecordingError::file(folder))?;
     let paths: Result<Vec<_>, _> = entries.map(|entry| entry.map(|e| e.path())).collect();
     let mut files = paths.map_err(RecordingError::file(folder))?;
@@ -205,6 +164,13 @@ fn part_files(folder: &Path) -> Result<Vec<PathBuf>, RecordingError> {
     });
     files.sort();
     Ok(files)
+}
+
+/// All rows of files that follow one another.
+pub(super) fn rows_of(
+    files: &[PathBuf],
+) -> impl Iterator<Item = Result<RecordBatch, ParquetError>> {
+    files.iter().flat_map(|file| batches(file).unwrap_or_else(|error| vec![Err(error)]))
 }
 
 /// All rows of a file.
@@ -229,7 +195,7 @@ pub(super) fn write_file(
         }
         writer.close().map(|_| ())
     };
-    write().map_err(RecordingError::parquet(file))?;
+    write().map_err(RecordingError::written(file))?;
     fs::rename(&hidden, file).map_err(RecordingError::file(file))
 }
 

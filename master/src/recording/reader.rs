@@ -37,7 +37,7 @@ impl SeriesReader {
     /// When there is no such table, or a file of it cannot be read.
     pub fn open(folder: &Path, name: &str) -> Result<Self, RecordingError> {
         let files = table_files(folder, name)?;
-        let schema = open(&files[0])?.schema().clone();
+        let schema = schema_of(&files[0])?;
         Ok(Self { files, schema })
     }
 
@@ -93,6 +93,11 @@ impl SeriesReader {
             }
         })
     }
+}
+
+/// The columns of a file.
+pub(super) fn schema_of(file: &Path) -> Result<SchemaRef, RecordingError> {
+    Ok(open(file)?.schema().clone())
 }
 
 fn open(file: &Path) -> Result<ParquetRecordBatchReaderBuilder<File>, RecordingError> {

@@ -126,7 +126,7 @@ fn property_a_completed_run_has_every_record() {
         let mut died = begin(folders[0].path());
         step_through(&mut died, steps);
         drop(died);
-        complete(folders[0].path()).unwrap();
+        complete(folders[0].path(), false).unwrap();
         let mut ended = begin(folders[1].path());
         step_through(&mut ended, steps);
         ended.finish().unwrap();
@@ -150,7 +150,7 @@ fn property_a_record_that_is_not_whole_is_passed_over() {
     let open = folder.path().join("vehicles.parts/.open.arrows");
     let bytes = fs::read(&open).unwrap();
     fs::write(&open, &bytes[..bytes.len() - 100]).unwrap();
-    complete(folder.path()).unwrap();
+    complete(folder.path(), false).unwrap();
     let reader = SeriesReader::open(folder.path(), "vehicles").unwrap();
     let times = reader.read("time", &[("vehicle", KeyValue::Integer(1))]).unwrap();
     assert_eq!(times, [0.0, 0.1, 0.2]);

@@ -34,7 +34,7 @@ impl ReportData {
 }
 
 /// A line of a table of figures; programs find it under its key in the manifest.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct MainFigure {
     /// Its name for programs, such as `left.foot.highest`.
     pub key: String,

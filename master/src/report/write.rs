@@ -10,7 +10,7 @@ use super::error::ReportError;
 use super::page::render;
 use super::rail_figures::listed;
 use super::system::{self, SystemFacts};
-use crate::files::file_error::{FileError, read_toml};
+use crate::files::file_error::{read_toml, write_whole};
 
 /// The part of a manifest that only the run of a system has.
 #[derive(Deserialize)]
@@ -33,6 +33,6 @@ pub fn write(folder: &Path) -> Result<(PathBuf, Vec<MainFigure>), ReportError> {
         }
     };
     let file = folder.join("report.html");
-    std::fs::write(&file, page).map_err(FileError::at(&file))?;
+    write_whole(&file, &page)?;
     Ok((file, figures))
 }

@@ -6,6 +6,7 @@ use super::checkpoint::{CheckpointError, Checkpoints, Reached};
 use super::observe_error::ObserveError;
 use super::progress::Progress;
 use super::recorder::Recorder;
+use super::stop::{Stopped, stopped};
 use crate::system::parallel;
 use crate::system::part::Part;
 use crate::system::step::System;
@@ -129,7 +130,8 @@ impl Rails {
         Ok(())
     }
 
-    /// Takes the rails, which came to `time` in the run, through what is planned after it.
+    /// Takes the rails, which came to `time` in the run, through what is planned after it, until somebody
+    /// wants it to stop.
     ///
     /// It begins behind what is `reached` already.
     ///
@@ -140,25 +142,28 @@ impl Rails {
         run: &mut Continued<'_>,
         time: f64,
         reached: Reached,
-    ) -> Result<(), FailedStep> {
+    ) -> Result<Option<Stopped>, FailedStep> {
         let (first, done) = match reached {
             Reached::Run(_) => (0, 0),
             Reached::After(stage, done) => (stage, done),
         };
         for (number, stage) in self.traffic.stages(time).into_iter().enumerate().skip(first) {
             let done = if number == first { done } else { 0 };
-            match stage {
+            let stopped = match stage {
                 Stage::Alone { from, length, steps } => {
                     let steps = Steps { stage: number, done, from, length, steps, per_record: 1 };
                     self.each(run, steps, |_, part| {
                         part.inputs.reals.values.fill(0.0);
                         Ok(())
-                    })?;
+                    })?
                 }
                 Stage::Train { from } => self.further_train(run, from, (number, done))?,
+            };
+            if stopped.is_some() {
+                return Ok(stopped);
             }
         }
-        Ok(())
+        Ok(None)
     }
 
     /// A train does again what is on the tapes; so many steps of this stage it has done.
@@ -167,7 +172,7 @@ impl Rails {
         run: &mut Continued<'_>,
         from: f64,
         (stage, done): (usize, u64),
-    ) -> Result<(), FailedStep> {
+    ) -> Result<Option<Stopped>, FailedStep> {
         let mut steps = 0;
         for Rail { part, name, tape } in &mut self.rails {
             let inputs = run.system.parts[*part].inputs.reals.values.len();
@@ -194,11 +199,15 @@ impl Rails {
         run: &mut Continued<'_>,
         steps: Steps,
         load: fn(&mut Rail, &mut Part) -> Result<(), UnitError>,
-    ) -> Result<(), FailedStep> {
+    ) -> Result<Option<Stopped>, FailedStep> {
         let Steps { stage, done, from, length, steps, per_record } = steps;
         for j in done..steps {
             let time = from + j as f64 * length;
             let failed = |source| FailedStep { time, source };
+            if let Some(stopped) = stopped(j, time) {
+                self.write_checkpoint(run, Reached::After(stage, j), time).map_err(failed)?;
+                return Ok(Some(stopped));
+            }
             self.step(run.system, time, length, load).map_err(|error| failed(error.into()))?;
             if (j + 1).is_multiple_of(per_record) || j + 1 == steps {
                 let end = from + (j + 1) as f64 * length;
@@ -207,20 +216,21 @@ impl Rails {
                 run.progress.show_rails(end);
             }
             let end = from + (j + 1) as f64 * length;
-            self.write_checkpoint(run, Reached::After(stage, j + 1), end).map_err(failed)?;
+            if run.checkpoints.as_ref().is_some_and(|checkpoints| checkpoints.is_due(end)) {
+                self.write_checkpoint(run, Reached::After(stage, j + 1), end).map_err(failed)?;
+            }
         }
-        Ok(())
+        Ok(None)
     }
 
+    /// Writes a checkpoint if the run writes any.
     fn write_checkpoint(
         &mut self,
         run: &mut Continued<'_>,
         reached: Reached,
         time: f64,
     ) -> Result<(), StepFailure> {
-        let Some(checkpoints) = run.checkpoints.as_mut().filter(|c| c.is_due(time)) else {
-            return Ok(());
-        };
+        let Some(checkpoints) = &mut run.checkpoints else { return Ok(()) };
         run.system.times.after = run.timer.elapsed();
         Ok(checkpoints.write((reached, time), self.save()?, run.system, run.recorder)?)
     }

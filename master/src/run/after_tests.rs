@@ -35,7 +35,7 @@ fn a_train_comes_again_as_it_was_and_alone_there_is_none() {
         Box::new(Mock::new("rail", &variables, &calls, |v, _, length| v[1] += v[0] * length));
     let component = |name: &str, stage, every| Component {
         name: name.to_owned(),
-        schedule: Schedule { stage, every },
+        schedule: Schedule { stage, every, ..Schedule::default() },
         ..Component::default()
     };
     let (from, to) = (Endpoint::new("wheel", "y"), Endpoint::new("rail", "u"));

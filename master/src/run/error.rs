@@ -44,18 +44,15 @@ pub enum RunError {
     #[error(transparent)]
     Threads(#[from] ThreadsError),
     /// The units cannot be initialised.
-    #[error("initialisation: {0}")]
+    #[error(transparent)]
     Start(#[from] StartError),
     /// A unit failed while running; what was recorded before is kept.
-    #[error(
-        "at {time} s: {source}; the results until then are in {results}, and `hotfoot report {results}` \
-         makes their report"
-    )]
+    #[error("at {time} s: {source}; the results until then are in {results}")]
     Step {
         /// Time at which the step began, s.
         time: f64,
         /// Reason.
-        source: UnitError,
+        source: Box<StepFailure>,
         /// Folder of the results.
         results: String,
     },
@@ -85,13 +82,7 @@ impl RunError {
     /// A step that failed, in a run whose results are in this folder.
     pub(crate) fn step(failed: FailedStep, results: &Path) -> Self {
         let FailedStep { time, source } = failed;
-        match source {
-            StepFailure::Unit(source) => {
-                Self::Step { time, source, results: results.display().to_string() }
-            }
-            StepFailure::Observe(source) => source.into(),
-            StepFailure::Checkpoint(source) => source.into(),
-        }
+        Self::Step { time, source: source.into(), results: results.display().to_string() }
     }
 
     /// Refuses a time that is not greater than zero.

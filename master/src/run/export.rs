@@ -10,9 +10,10 @@ use super::scenario::placed;
 use super::sources::Sources;
 use crate::files::archive;
 use crate::files::file_error::FileError;
+use crate::interface::Interface;
 use crate::scenario;
 use crate::ssp::{STRUCTURE_FILE, SspError, write};
-use crate::system::structure::{Connector, ConnectorKind, Endpoint, Structure};
+use crate::system::structure::{Connector, ConnectorKind, Endpoint, Parameter, Structure, Value};
 use crate::train::fmus::Folders;
 
 /// What an export tells.
@@ -38,7 +39,8 @@ pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, RunEr
 
     let package = folder.path().join("package");
     let mut sources = Sources::new(&package);
-    let structure = packaged(train.structure, &mut sources);
+    let interfaces = train.interfaces().map_err(RunError::prepare(&file))?;
+    let structure = packaged(train.structure, &interfaces, &mut sources);
     sources.copy()?;
     let file = package.join(STRUCTURE_FILE);
     std::fs::write(&file, write(&structure)?).map_err(FileError::at(&file))?;
@@ -49,13 +51,20 @@ pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, RunEr
     })
 }
 
-/// The structure as it stands in a package: without what belongs to this machine, with its FMUs inside,
-/// and with the connectors that are connected.
-fn packaged(mut structure: Structure, sources: &mut Sources) -> Structure {
+/// The structure as it stands in a package: without what belongs to this machine, or what the FMUs begin
+/// with anyway, with its FMUs inside, and with the connectors that are connected.
+fn packaged(
+    mut structure: Structure,
+    interfaces: &HashMap<String, Interface>,
+    sources: &mut Sources,
+) -> Structure {
     for component in &mut structure.components {
+        component.parameters.retain(|parameter| !parameter.local);
+        if let Some(interface) = interfaces.get(&component.source) {
+            leave_out_starts(&mut component.parameters, interface);
+        }
         component.name = name_in_package(&component.name);
         component.source = sources.add(Path::new(&component.source));
-        component.parameters.retain(|parameter| !parameter.local);
     }
     for connection in &mut structure.connections {
         for end in [&mut connection.from, &mut connection.to] {
@@ -63,6 +72,18 @@ fn packaged(mut structure: Structure, sources: &mut Sources) -> Structure {
         }
     }
     with_connectors(structure)
+}
+
+/// Takes out the values with which an FMU begins anyway: of the tools that run a package, FMPy's
+/// `simulate_ssp` sets no texts. Of several values for a variable the last one counts.
+fn leave_out_starts(parameters: &mut Vec<Parameter>, interface: &Interface) {
+    let start = |name: &str| {
+        let variable = interface.variable(name)?;
+        Value::parse(variable.start.as_ref()?, variable.kind)
+    };
+    let last: HashMap<String, Value> =
+        parameters.iter().map(|own| (own.name.clone(), own.value.clone())).collect();
+    parameters.retain(|parameter| start(&parameter.name).as_ref() != last.get(&parameter.name));
 }
 
 /// Name of a component: `vehicle_17` for `vehicle[17]`, as brackets are no part of an SSP name.
@@ -95,7 +116,51 @@ fn with_connectors(mut structure: Structure) -> Structure {
 mod tests {
     use super::*;
     use crate::interface::si::Linear;
-    use crate::system::structure::{Component, Connection, Parameter, Sampling, Value};
+    use crate::interface::{Variable, VariableType};
+    use crate::system::structure::{Component, Connection, Sampling};
+
+    #[test]
+    fn what_an_fmu_begins_with_is_not_stated() {
+        let variable = |name: &str, kind, start: Option<&str>| Variable {
+            name: name.to_owned(),
+            reference: 0,
+            kind,
+            causality: "parameter".to_owned(),
+            discrete: false,
+            unit: None,
+            si: None,
+            range: crate::interface::range::Range::FINITE,
+            start: start.map(str::to_owned),
+            description: String::new(),
+        };
+        let interface = Interface::of([
+            variable("mass", VariableType::Real, Some("1e3")),
+            variable("count", VariableType::Integer, Some("2")),
+            variable("worn", VariableType::Boolean, Some("false")),
+            variable("model", VariableType::Text, Some("paper")),
+            variable("speed", VariableType::Real, Some("0")),
+            variable("free", VariableType::Real, None),
+        ]);
+        let text = |text: &str| Value::Text(text.to_owned());
+        let stated = |mass, count, worn, model: &str, speeds: [f64; 2]| {
+            let mut parameters: Vec<_> = [
+                ("mass", Value::Real(mass)),
+                ("count", Value::Integer(count)),
+                ("worn", Value::Boolean(worn)),
+                ("model", text(model)),
+                ("speed", Value::Real(speeds[0])),
+                ("speed", Value::Real(speeds[1])),
+                ("free", Value::Real(0.0)),
+            ]
+            .map(|(name, value)| Parameter::new(name, value))
+            .into();
+            leave_out_starts(&mut parameters, &interface);
+            parameters.into_iter().map(|parameter| parameter.name).collect::<Vec<_>>()
+        };
+        assert_eq!(stated(1000.0, 2, false, "paper", [5.0, 0.0]), ["free"]);
+        let all = ["mass", "count", "worn", "model", "speed", "speed", "free"];
+        assert_eq!(stated(1000.5, 3, true, "energy", [0.0, 5.0]), all);
+    }
 
     #[test]
     fn a_package_holds_its_fmus_its_connectors_and_nothing_of_this_machine() {
@@ -121,7 +186,8 @@ mod tests {
             connections: vec![connection, other],
             ..Structure::default()
         };
-        let packaged = packaged(structure, &mut Sources::new(Path::new("package")));
+        let packaged =
+            packaged(structure, &HashMap::new(), &mut Sources::new(Path::new("package")));
         let [first, second] = packaged.components.as_slice() else { panic!("{packaged:?}") };
         assert_eq!(
             (first.name.as_str(), first.source.as_str()),

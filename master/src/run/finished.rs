@@ -4,22 +4,30 @@ use std::fmt;
 use std::path::PathBuf;
 use std::time::Duration;
 
+use super::stop::Stopped;
 use crate::report::MainFigure;
-use crate::system::times::StepTimes;
+use crate::system::step::System;
 
 /// What a finished run tells.
-#[derive(Debug)]
 pub struct Finished {
     /// Name of the system, where it is not a train of a scenario.
     pub(crate) name: Option<String>,
     pub(crate) report: PathBuf,
     pub(crate) done: Done,
-    pub(crate) times: StepTimes,
     /// The stages by name, with their number of units.
     pub(crate) stages: Vec<(String, usize)>,
     pub(crate) threads: usize,
     pub(crate) figures: Vec<MainFigure>,
     pub(crate) warnings: Vec<String>,
+    /// The units, which are freed with this.
+    pub(crate) system: System,
+}
+
+impl Finished {
+    /// Why the run has stopped before its end, if it has.
+    pub fn stopped(&self) -> Option<Stopped> {
+        self.done.stopped
+    }
 }
 
 /// How far a run has come, and in which wall time.
@@ -33,11 +41,13 @@ pub(crate) struct Done {
     pub wall: Duration,
     /// Number of those steps.
     pub steps: u64,
+    /// Whether it was stopped.
+    pub stopped: Option<Stopped>,
 }
 
 impl fmt::Display for Finished {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Done { simulated, rails, wall, steps } = &self.done;
+        let Done { simulated, rails, wall, steps, .. } = &self.done;
         let wall = wall.as_secs_f64();
         if let Some(name) = &self.name {
             write!(f, "{name}: ")?;
@@ -48,7 +58,7 @@ impl fmt::Display for Finished {
             simulated / wall,
             self.threads
         )?;
-        let times = &self.times;
+        let times = &self.system.times;
         if rails > simulated {
             let after = times.after.as_secs_f64();
             writeln!(f, "rails alone or under further trains until {rails:.1} s: {after:.1} s")?;

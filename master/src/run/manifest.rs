@@ -4,21 +4,25 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Duration;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::folder::contents::MANIFEST;
 use super::output_table::table_name;
-use crate::files::file_error::FileError;
+use crate::files::file_error::{FileError, read_toml, write_whole};
 use crate::report::{ComponentFacts, MainFigure, RunFacts, SystemFacts};
 use crate::system::step::System;
 
 /// What made the results of a run: of a scenario's train, or of any other system.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Manifest {
     #[serde(flatten)]
     origin: Origin,
     /// Simulated time reached, s; 0 while the run has not ended.
     simulated_s: f64,
+    /// How the run has ended; left out while it goes on.
+    #[serde(flatten)]
+    ended: Option<Ended>,
     /// Text of the scenario.
     pub scenario: Option<String>,
     /// What the report shows of a train's run.
@@ -28,17 +32,20 @@ pub struct Manifest {
     /// What the units warned of, and what else the user should know.
     #[serde(skip)]
     pub warnings: Vec<String>,
+    #[serde(default)]
     wall_time_of: Vec<WallTime>,
+    #[serde(default)]
     fmu: Vec<FmuEntry>,
     /// The main figures of the report, for programs.
+    #[serde(default)]
     pub figure: Vec<MainFigure>,
 }
 
 /// The program and the machine.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Origin {
-    hotfoot_version: &'static str,
-    git_commit: &'static str,
+    hotfoot_version: String,
+    git_commit: String,
     machine: String,
 }
 
@@ -47,22 +54,52 @@ impl Origin {
     pub fn new() -> Self {
         let cores = std::thread::available_parallelism().map_or(0, usize::from);
         Self {
-            hotfoot_version: env!("CARGO_PKG_VERSION"),
-            git_commit: env!("HOTFOOT_GIT_COMMIT"),
+            hotfoot_version: env!("CARGO_PKG_VERSION").to_owned(),
+            git_commit: env!("HOTFOOT_GIT_COMMIT").to_owned(),
             machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
         }
     }
 }
 
+/// How a run has ended.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Ended {
+    /// In which way.
+    pub end: End,
+    /// Why, in a sentence, where it did not come to its end.
+    pub end_reason: Option<String>,
+}
+
+/// In which way a run has ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum End {
+    /// It has come to its end.
+    Complete,
+    /// It was stopped by its user or by the system.
+    Interrupted,
+    /// An FMU, a file or something else has failed.
+    Failed,
+    /// Its program was killed, and could do nothing more.
+    Killed,
+}
+
+impl Ended {
+    /// An end with a reason.
+    pub fn because(end: End, reason: impl Into<String>) -> Self {
+        Self { end, end_reason: Some(reason.into()) }
+    }
+}
+
 /// Wall time of a part of all steps.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 struct WallTime {
     part: String,
     seconds: f64,
 }
 
 /// An FMU that took part.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct FmuEntry {
     file: String,
     sha256: String,
@@ -75,6 +112,7 @@ impl Manifest {
         Self {
             origin: Origin::new(),
             simulated_s: 0.0,
+            ended: None,
             scenario: None,
             run: None,
             system: None,
@@ -85,17 +123,15 @@ impl Manifest {
         }
     }
 
-    /// Adds what is known at the end: how far the run came in which wall time, and where that went;
-    /// `stages` are the names of the stages.
-    pub fn finish(&mut self, simulated: f64, system: &System, stages: &[String]) {
+    /// Adds what is known at the end: the wall time, and where it went; `stages` are the names of the
+    /// stages.
+    pub fn finish(&mut self, system: &System, stages: &[String]) {
         let times = &system.times;
         let wall = times.run;
-        self.simulated_s = simulated;
         if let Some(run) = &mut self.run {
             run.wall_time_s = Some(wall.as_secs_f64());
         }
         if let Some(facts) = &mut self.system {
-            facts.simulated_s = simulated;
             facts.wall_time_s = Some(wall.as_secs_f64());
             facts.recording_s = times.recording.as_secs_f64();
             facts.component = component_facts(system);
@@ -123,9 +159,34 @@ impl Manifest {
     /// # Errors
     /// When the file cannot be written.
     pub fn write(&self, results: &Path) -> Result<(), FileError> {
-        let path = results.join("manifest.toml");
+        let path = results.join(MANIFEST);
         let text = toml::to_string(self).expect("a manifest is a TOML table");
-        std::fs::write(&path, text).map_err(FileError::at(&path))
+        write_whole(&path, &text)
+    }
+
+    /// Reads the manifest of a results folder.
+    ///
+    /// # Errors
+    /// When the file cannot be read, or is not what a run writes.
+    pub fn read(results: &Path) -> Result<Self, FileError> {
+        read_toml(&results.join(MANIFEST))
+    }
+
+    /// Whether it says how the run has ended.
+    pub fn has_ended(&self) -> bool {
+        self.ended.is_some()
+    }
+
+    /// Adds how the run has ended, and after which simulated time, s.
+    pub fn end(&mut self, simulated: f64, ended: Ended) {
+        self.simulated_s = simulated;
+        if let Some(system) = &mut self.system {
+            system.simulated_s = simulated;
+        }
+        if let (Some(run), Some(reason)) = (&mut self.run, &ended.end_reason) {
+            run.warnings.push(reason.clone());
+        }
+        self.ended = Some(ended);
     }
 }
 

@@ -1,5 +1,6 @@
 //! A table of all outputs of a component, or of several that have the same, at the records.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use super::observe_error::ObserveError;
@@ -64,7 +65,7 @@ impl OutputTable {
     /// When a unit does not give its outputs, or a file cannot be written.
     pub fn record(&mut self, time: f64, system: &mut System) -> Result<(), ObserveError> {
         for (number, row) in self.rows.iter_mut().enumerate() {
-            row.outputs.get(system.parts[row.part].unit.as_mut())?;
+            system.parts[row.part].take(&mut row.outputs, time)?;
             row.values.clear();
             row.values.extend(row.columns.iter().map(|&(kind, i)| row.outputs.number(kind, i)));
             self.series.observe(number, &row.values);
@@ -144,6 +145,25 @@ pub fn renamed(system: &System) -> Vec<String> {
     system.units().filter_map(sentence).collect()
 }
 
+/// Says which components of a system would have tables of the same name.
+pub fn same_tables(system: &System) -> Vec<String> {
+    let mut first: HashMap<String, &str> = HashMap::new();
+    let mut problems = vec![];
+    for unit in system.units() {
+        let Some(table) = table_name(unit) else { continue };
+        // Folders of some systems do not tell capitals from small letters.
+        match first.get(&table.to_lowercase()) {
+            Some(other) => problems.push(format!(
+                "the components '{other}' and '{}' would both have the table '{table}' in the results; \
+                 give one of them another name",
+                unit.name()
+            )),
+            None => drop(first.insert(table.to_lowercase(), unit.name())),
+        }
+    }
+    problems
+}
+
 /// Name of the table of a component: its own, as that of a file; none if it has no output that is a
 /// number.
 pub fn table_name(component: &dyn Unit) -> Option<String> {
@@ -190,5 +210,17 @@ mod tests {
             sentences[0].contains("'time' of m is recorded as 'time (output)'"),
             "{sentences:?}"
         );
+    }
+
+    #[test]
+    fn components_whose_tables_would_have_one_name_are_both_named() {
+        let part = |name| {
+            let output = [("y".to_owned(), "output")];
+            Part::new(Box::new(Mock::new(name, &output, &Default::default(), |_, _, _| {})), 0, 1)
+        };
+        let parts = vec![part("wagon 1"), part("wagon_2"), part("Wagon/1")];
+        let system = System::new(Clock { start: 0.0, length: 0.5 }, parts);
+        let [problem] = same_tables(&system).try_into().unwrap();
+        assert!(problem.contains("'wagon 1' and 'Wagon/1' would both have the table"), "{problem}");
     }
 }

@@ -1,19 +1,21 @@
-//! The run of an SSP package.
+//! The run of a system of FMUs without a scenario.
 
 use std::path::Path;
 
 use super::after::Rails;
 use super::error::RunError;
 use super::manifest::{Manifest, component_facts};
-use super::output_table::renamed;
+use super::options::Options;
+use super::output_table::{renamed, same_tables, table_name};
 use super::setup::{Setup, Subject};
-use crate::files::archive;
+use super::source;
 use crate::report::SystemFacts;
 use crate::scenario::Times;
 use crate::ssp::{self, SspError};
 use crate::system::clock::Clock;
 use crate::system::step::System;
 use crate::system::structure::Structure;
+use crate::system::unit::Unit;
 
 /// Step where neither the package nor the user names one, s.
 const DEFAULT_STEP: f64 = 1e-3;
@@ -22,27 +24,44 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Sets the package at a path, which the user has written so, up to be run.
+/// Sets the system at a path, which the user has written so, up to be run.
 ///
-/// It is run with so many threads in the folder `results`, where its FMUs stay beside the results that they
-/// make.
+/// It is run with so many threads in the folder `results`, where the FMUs of a package stay beside the
+/// results that they make.
 ///
 /// # Errors
 /// When the package is wrong or does not fit its FMUs.
-pub fn setup(
+pub(crate) fn setup(
     (path, written): (&Path, &str),
     results: &Path,
-    times: &Times,
+    options: &Options,
     threads: usize,
 ) -> Result<Setup, RunError> {
-    let package = results.join("package");
-    archive::unpack(path, &package).map_err(SspError::from)?;
-    let structure = ssp::read(&package)?;
-    let (clock, steps, every) = times_of(&structure, times)?;
+    let (folder, mut structure) = source::read(path, &results.join("package"))?;
+    for component in &mut structure.components {
+        component.schedule.same_thread |= options.same_thread;
+    }
     let file = written.to_owned();
-    let system = ssp::open(&structure, &package, &file, clock)?;
+    let imports = ssp::imports(&structure, &folder, &file)?;
+    ssp::leave_out_unmatched(&mut structure, &imports);
+    structure.tolerance = options.tolerance;
+    if let ([component], None) = (structure.components.as_slice(), structure.stop) {
+        let proposed = imports[&component.source].interface().experiment;
+        structure.start = structure.start.or(proposed.start);
+        structure.stop = proposed.stop.filter(|stop| *stop > structure.start.unwrap_or(0.0));
+        structure.step = structure.step.or(proposed.step);
+    }
+    let (clock, steps, every) = times_of(&structure, &options.times)?;
+    let mut system = ssp::open(&structure, &imports, &file, clock)?;
+    system.set_checks(options.checks.unwrap_or_default());
+    let problems = same_tables(&system);
+    if !problems.is_empty() {
+        return Err(SspError::Unfit { file, problems }.into());
+    }
     let mut manifest = Manifest::new(&system);
-    manifest.warnings = renamed(&system);
+    manifest.warnings.clone_from(&structure.notes);
+    manifest.warnings.extend(renamed(&system));
+    manifest.warnings.extend(without_outputs(&system));
     manifest.system = Some(SystemFacts {
         name: structure.name.clone(),
         package: file,
@@ -55,7 +74,18 @@ pub fn setup(
     });
     let stages = stage_names(&structure, &system);
     let (stop, subject) = (clock.at(steps), Subject::Package(every));
-    Ok(Setup { system, stages, steps, stop, subject, rails: Rails::default(), manifest })
+    let rails = Rails::default();
+    Ok(Setup { system, stages, steps, stop, subject, rails, manifest, recorded: false })
+}
+
+/// Says of which components nothing is recorded.
+fn without_outputs(system: &System) -> Vec<String> {
+    let silent = system.units().filter(|unit| table_name(*unit).is_none());
+    let sentence = |unit: &dyn Unit| {
+        let (name, file) = (unit.name(), unit.source_file());
+        format!("{name} ({file}) has no outputs that are numbers: nothing of it is recorded")
+    };
+    silent.map(sentence).collect()
 }
 
 /// The communication points, the number of steps, and how many there are a record: what the user says,

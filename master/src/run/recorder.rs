@@ -5,9 +5,10 @@ use std::path::Path;
 use super::observe_error::ObserveError;
 use super::output_table::{OutputTable, table_name};
 use super::step_table::StepTable;
+use crate::fmi::watched;
 use crate::recording::{SeriesWriter, TableState};
 use crate::report::EnergyLine;
-use crate::system::step::System;
+use crate::system::step::{System, WishToEnd};
 
 /// Simulated time in a part of a series on disk, s; a killed run loses less than this.
 pub const PART_S: f64 = 1.0;
@@ -62,7 +63,33 @@ impl Recorder {
         for table in &mut self.outputs {
             table.record(time, system)?;
         }
-        self.record_after(time, system)
+        self.record_after(time, system)?;
+        if let Some(page) = watched::own() {
+            page.note_record();
+        }
+        Ok(())
+    }
+
+    /// Records the end of a run within the step from point `k`, at which a part wants it.
+    ///
+    /// # Errors
+    /// When the unit does not give its outputs, or a file cannot be written.
+    pub fn record_end(
+        &mut self,
+        k: u64,
+        end: &WishToEnd,
+        system: &mut System,
+    ) -> Result<(), ObserveError> {
+        if end.time == system.clock.at(k) && k.is_multiple_of(self.every) {
+            return Ok(());
+        }
+        let part = &mut system.parts[end.part];
+        part.outputs.get(part.unit.as_mut())?;
+        for table in &mut self.tables {
+            table.observe(k + 1, system);
+            table.record(end.time)?;
+        }
+        self.outputs.iter_mut().try_for_each(|table| table.record(end.time, system))
     }
 
     /// Records only what goes on after the run.

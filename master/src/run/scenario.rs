@@ -81,7 +81,7 @@ pub fn setup(
     });
     let (stages, stop) = (structure.stages, scenario.duration_s);
     let subject = Subject::Train(Box::new(scenario), layout);
-    Ok(Setup { system, stages, steps, stop, subject, rails, manifest })
+    Ok(Setup { system, stages, steps, stop, subject, rails, manifest, recorded: false })
 }
 
 /// What the scenario says of the heated rails.

@@ -36,6 +36,8 @@ pub struct Setup {
     pub rails: Rails,
     /// What made the results.
     pub manifest: Manifest,
+    /// Whether the first record is there.
+    pub recorded: bool,
 }
 
 /// What is run.
@@ -110,12 +112,14 @@ impl Setup {
         recorder: &mut Recorder,
         progress: &mut Progress,
     ) -> Result<Reached, RunError> {
-        let Self { system, rails, .. } = self;
+        let Self { system, rails, recorded, .. } = self;
         let Some(saved) = saved else {
             // The observed outputs as they are at the start.
-            parallel::for_each(&mut system.parts, |part| part.outputs.get(part.unit.as_mut()))
+            let start = system.clock.start;
+            parallel::for_each(&mut system.parts, |part| part.take_outputs(start))
                 .map_err(StartError::from)?;
             recorder.observe(0, system)?;
+            *recorded = true;
             return Ok(Reached::Run(0));
         };
         let RunState { reached, time, times, parts, tables, tapes, .. } = saved;
@@ -123,6 +127,7 @@ impl Setup {
         system.times = times;
         rails.resume(&tapes, system).map_err(CheckpointError::from)?;
         recorder.resume(tables)?;
+        *recorded = true;
         let done = match reached {
             Reached::Run(done) => done,
             Reached::After(..) => self.steps,

@@ -9,7 +9,8 @@ use super::recorder::{PART_S, Recorder};
 use super::step_table::{Row, StepTable, signals};
 use crate::interface::VariableType;
 use crate::recording::{
-    Key, KeyValues, RAIL_TABLE, SeriesWriter, Side, VehicleRow, WheelRow, vehicle_keys, wheel_keys,
+    Key, KeyValues, RAIL_TABLE, SeriesWriter, Side, TRAIN_TABLE, VehicleRow, WheelRow,
+    vehicle_keys, wheel_keys,
 };
 use crate::scenario::Scenario;
 use crate::system::step::System;
@@ -61,7 +62,7 @@ pub fn recorder(
         })
     };
     Ok(Recorder {
-        outputs: table("train", vec![], &of_train)?.into_iter().collect(),
+        outputs: table(TRAIN_TABLE, vec![], &of_train)?.into_iter().collect(),
         after: table(RAIL_TABLE, vec![rails], &of_rails)?,
         tables,
         every: (scenario.record.interval_s / scenario.step_s).round() as u64,

@@ -3,11 +3,9 @@
 use std::path::Path;
 
 use super::error::RunError;
-use super::is_package;
-use crate::files::archive;
+use super::source;
 use crate::files::file_error::FileError;
 use crate::scenario;
-use crate::ssp::{self, SspError};
 use crate::system::structure::Structure;
 use crate::train::fmus::Folders;
 use crate::train::structure::of_scenario;
@@ -18,9 +16,8 @@ use crate::train::structure::of_scenario;
 /// When the scenario or package is wrong, or an FMU is missing or unfit.
 pub fn wiring(path: &Path, fmus: &Path) -> Result<Structure, RunError> {
     let folder = tempfile::tempdir().map_err(FileError::at(path))?;
-    if is_package(path) {
-        archive::unpack(path, folder.path()).map_err(SspError::from)?;
-        return Ok(ssp::read(folder.path())?);
+    if source::is_system(path) {
+        return Ok(source::read(path, folder.path())?.1);
     }
     let (scenario, file, _) = scenario::load(path)?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().to_owned() };

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::fmus::Fmus;
 use super::heat::Heat;
+use crate::system::checks::Checks;
 
 /// What is run: the train on its track, how it is driven, what is computed and recorded.
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
@@ -27,6 +28,11 @@ pub struct Scenario {
     #[serde(default)]
     #[garde(skip)]
     pub scheme: Scheme,
+    /// What becomes of values that FMUs give and that cannot be.
+    ///
+    /// `error` ends the run, `warn` warns the first time for each variable, `off` looks for none. Left out: a value that is not finite ends the run, and one out of its range is a warning.
+    #[garde(skip)]
+    pub checks: Option<Checks>,
     /// Runs the train model alone: no vehicles in three dimensions, no rail heat.
     #[serde(default)]
     #[garde(skip)]

@@ -33,6 +33,14 @@ pub struct Fmus {
     /// Each try begins from the state before the step, which costs a saved state of every FMU in each step.
     #[garde(skip)]
     pub retry_discarded_steps: bool,
+    /// Relative tolerance of the FMUs' solvers; left out: what each FMU proposes.
+    #[garde(inner(range(min = 1e-15, max = 1.0)))]
+    pub tolerance: Option<f64>,
+    /// Whether each FMU that is named here is made, called and freed on a thread of its own.
+    ///
+    /// For FMUs that may be called only by the thread that has made them.
+    #[garde(skip)]
+    pub same_thread: bool,
 }
 
 /// An FMU, or other parameters, for one vehicle.
@@ -54,4 +62,8 @@ pub struct VehicleReplacement {
     #[serde(default)]
     #[garde(skip)]
     pub parameters: BTreeMap<String, Value>,
+    /// Whether its FMU is made, called and freed on a thread of its own.
+    #[serde(default)]
+    #[garde(skip)]
+    pub same_thread: bool,
 }

@@ -21,7 +21,10 @@ pub struct Edge {
 
 /// Follows every component's inputs back to the component that gives the value. An input that
 /// leads to the outermost system is not connected.
-pub fn trace(edges: &[Edge], structure: &Structure) -> Vec<Connection> {
+///
+/// # Errors
+/// A sentence when the connectors of systems are connected in a circle.
+pub fn trace(edges: &[Edge], structure: &Structure) -> Result<Vec<Connection>, String> {
     let giver: HashMap<&Endpoint, &Edge> = edges.iter().map(|edge| (&edge.to, edge)).collect();
     let mut connections = vec![];
     for component in &structure.components {
@@ -29,12 +32,12 @@ pub fn trace(edges: &[Edge], structure: &Structure) -> Vec<Connection> {
             let takes = matches!(connector.kind, ConnectorKind::Input | ConnectorKind::Parameter);
             let to =
                 Endpoint { element: component.name.clone(), connector: connector.name.clone() };
-            if let Some(connection) = takes.then(|| back(to, &giver, structure)).flatten() {
-                connections.push(connection);
+            if takes {
+                connections.extend(back(to, &giver, structure)?);
             }
         }
     }
-    connections
+    Ok(connections)
 }
 
 /// The connection to an input, through the connectors of systems in between.
@@ -42,21 +45,25 @@ fn back(
     to: Endpoint,
     giver: &HashMap<&Endpoint, &Edge>,
     structure: &Structure,
-) -> Option<Connection> {
+) -> Result<Option<Connection>, String> {
     let mut at = &to;
     let mut transformation = Linear::IDENTITY;
     let mut convert_units = true;
     // Hierarchy is finite, but a file may connect a system's connectors in a circle.
     for _ in 0..giver.len() {
-        let edge = giver.get(at)?;
+        let Some(edge) = giver.get(at) else { return Ok(None) };
         transformation = edge.transformation.then(transformation);
         convert_units &= edge.convert_units;
         if structure.component(&edge.from.element).is_some() {
             let from = edge.from.clone();
             let sampling = Sampling::default();
-            return Some(Connection { from, to, transformation, convert_units, sampling });
+            let connection = Connection { from, to, transformation, convert_units, sampling };
+            return Ok(Some(connection));
         }
         at = &edge.from;
     }
-    None
+    match giver.contains_key(at) {
+        true => Err(format!("the connections that lead to '{to}' go round in a circle of systems")),
+        false => Ok(None),
+    }
 }

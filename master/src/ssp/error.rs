@@ -2,6 +2,7 @@
 
 use crate::files::archive::ArchiveError;
 use crate::files::file_error::FileError;
+use crate::files::xml_depth::TooDeep;
 use crate::fmi::ImportError;
 use crate::fmi::pack::PackError;
 use crate::system::unit::UnitError;
@@ -22,6 +23,14 @@ pub enum SspError {
         file: String,
         /// Reason, with line and column.
         source: roxmltree::Error,
+    },
+    /// The elements of a file lie too deep in each other.
+    #[error("{file}, {source}")]
+    Depth {
+        /// File in the package.
+        file: String,
+        /// Where.
+        source: TooDeep,
     },
     /// An element or attribute is missing or wrong.
     #[error("{file}, line {line}: {message}")]

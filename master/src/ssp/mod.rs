@@ -3,7 +3,8 @@
 //!
 //! | file | part |
 //! |---|---|
-//! | `read.rs`, `connect.rs`, `parameters.rs`, `units.rs`, `xml.rs` | from the files of a package to a structure |
+//! | `package.rs`, `xml.rs` | the files of a package, and their elements |
+//! | `read.rs`, `connect.rs`, `parameters.rs`, `values.rs`, `units.rs` | from them to a structure |
 //! | `write.rs`, `elements.rs` | from it to a file that other tools accept |
 //! | `schedule.rs` | Hotfoot's annotations: rates, stages and means, which other tools ignore |
 //! | `open.rs` | the FMUs of a package, ready to run |
@@ -13,10 +14,12 @@ mod connect;
 mod elements;
 mod error;
 mod open;
+mod package;
 mod parameters;
 mod read;
 mod schedule;
 mod units;
+mod values;
 mod write;
 mod xml;
 
@@ -24,6 +27,6 @@ mod xml;
 mod structure_tests;
 
 pub use error::SspError;
-pub use open::open;
+pub use open::{Imports, imports, leave_out_unmatched, open};
 pub use read::{STRUCTURE_FILE, read};
 pub use write::write;

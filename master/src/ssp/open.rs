@@ -1,36 +1,38 @@
 //! From a structure to the FMUs of its package, ready to run.
 
 use std::collections::BTreeMap;
-use std::path::{Component as PathPart, Path};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use percent_encoding::percent_decode_str;
-
 use super::error::SspError;
-use crate::fmi::{FmuInstance, Import, with_resource_paths};
+use super::package::path_of;
+use crate::fmi::{self, Import, Manner, with_resource_paths};
 use crate::system::clock::Clock;
 use crate::system::compile::{CompileError, compile};
 use crate::system::step::System;
 use crate::system::structure::{Component, Structure};
 use crate::system::unit::Unit;
 
-/// Instantiates the FMUs of a structure, sets their parameters, and links them.
-///
-/// `package` is the folder of the unpacked package, `file` its name for messages.
+/// The FMUs of a structure by the `source` of their components.
+pub type Imports = BTreeMap<String, Arc<Import>>;
+
+/// Instantiates the FMUs of a structure, sets their parameters, and links them; `file` is the package's
+/// name for messages.
 ///
 /// # Errors
 /// When an FMU cannot be used, or the structure does not fit the FMUs.
 pub fn open(
     structure: &Structure,
-    package: &Path,
+    imports: &Imports,
     file: &str,
     clock: Clock,
 ) -> Result<System, SspError> {
-    let imports = imports(structure, package, file)?;
-    let structure =
-        with_resource_paths(structure, |component| imports.get(component.source.as_str()));
+    let structure = with_resource_paths(structure, |component| imports.get(&component.source));
     let unit = |component: &Component| -> Result<Box<dyn Unit>, SspError> {
-        Ok(Box::new(FmuInstance::new(&imports[component.source.as_str()], &component.name)?))
+        let import = &imports[&component.source];
+        let (same_thread, tolerance) = (component.schedule.same_thread, structure.tolerance);
+        let manner = Manner { same_thread, tolerance, ..Manner::default() };
+        Ok(fmi::unit(import, &component.name, manner)?)
     };
     let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
     compile(&structure, units, clock).map_err(|error| match error {
@@ -39,32 +41,52 @@ pub fn open(
     })
 }
 
-/// Every FMU once, however many components use it.
-fn imports<'s>(
-    structure: &'s Structure,
-    package: &Path,
-    file: &str,
-) -> Result<BTreeMap<&'s str, Arc<Import>>, SspError> {
+/// Every FMU once, however many components use it; `package` is the folder of the unpacked package.
+///
+/// # Errors
+/// When one is missing or cannot be used, or is wanted more often than it allows.
+pub fn imports(structure: &Structure, package: &Path, file: &str) -> Result<Imports, SspError> {
     let unfit = |problem| SspError::Unfit { file: file.to_owned(), problems: vec![problem] };
-    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-    for component in &structure.components {
-        *counts.entry(&component.source).or_default() += 1;
+    let mut sources: BTreeMap<PathBuf, Vec<&str>> = BTreeMap::new();
+    for Component { source, .. } in &structure.components {
+        let path = path_of(package, source);
+        let path = path.ok_or_else(|| {
+            unfit(format!("source=\"{source}\" must be a path inside of the package"))
+        })?;
+        sources.entry(path).or_default().push(source);
     }
-    let mut imports = BTreeMap::new();
-    for (source, count) in counts {
-        let path = percent_decode_str(source).decode_utf8_lossy().into_owned();
-        let inside = Path::new(&path).components().all(|part| matches!(part, PathPart::Normal(_)));
-        if !inside {
-            return Err(unfit(format!("source=\"{source}\" must be a path inside of the package")));
-        }
-        let import = Import::open(&package.join(path))?;
+    let mut imports = Imports::new();
+    for (path, sources) in sources {
+        let import = Import::open(&path)?;
+        let (source, count) = (sources[0], sources.len());
         if import.interface().once_per_process && count > 1 {
             return Err(unfit(format!(
                 "{source} allows only one instance in a process \
                  (canBeInstantiatedOnlyOncePerProcess), but {count} components use it"
             )));
         }
-        imports.insert(source, import);
+        for source in sources {
+            imports.insert(source.to_owned(), Arc::clone(&import));
+        }
     }
     Ok(imports)
+}
+
+/// Takes the start values out of a structure for which there are no variables, which SSP 1.0 wants
+/// ignored, and says so.
+pub fn leave_out_unmatched(structure: &mut Structure, imports: &Imports) {
+    let Structure { components, notes, .. } = structure;
+    for Component { name, source, parameters, .. } in components {
+        let interface = imports[source].interface();
+        parameters.retain(|parameter| {
+            let known = interface.variable(&parameter.name).is_some();
+            if !known {
+                notes.push(format!(
+                    "'{name}.{}' has a start value, but {source} has no such variable; it is ignored",
+                    parameter.name
+                ));
+            }
+            known
+        });
+    }
 }

@@ -2,14 +2,14 @@
 //! mappings of their names (SSM).
 
 use std::collections::HashMap;
-use std::path::{Component as PathPart, Path};
 
 use roxmltree::Node;
 
 use super::error::SspError;
+use super::package::Package;
 use super::units::{transformation, units};
 use super::xml::{XmlFile, child, children, listed};
-use crate::files::file_error::FileError;
+use crate::interface::si::Linear;
 use crate::interface::si::SiUnit;
 use crate::system::structure::{Parameter, Value};
 
@@ -19,7 +19,7 @@ use crate::system::structure::{Parameter, Value};
 /// When a file is missing or not as SSP 1.0 wants it.
 pub fn bindings(
     file: &XmlFile<'_>,
-    package: &Path,
+    package: &Package<'_>,
     element: Node<'_, '_>,
 ) -> Result<Vec<Parameter>, SspError> {
     let mut parameters = vec![];
@@ -52,16 +52,12 @@ pub fn bindings(
 fn text_of(
     file: &XmlFile<'_>,
     node: Node<'_, '_>,
-    package: &Path,
+    package: &Package<'_>,
     source: &str,
 ) -> Result<String, SspError> {
-    let inside = Path::new(source).components().all(|part| matches!(part, PathPart::Normal(_)));
-    if !inside {
-        let message = format!("source=\"{source}\" must be a path inside of the package");
-        return Err(file.wrong(node, message));
-    }
-    let path = package.join(source);
-    Ok(std::fs::read_to_string(&path).map_err(FileError::at(&path))?)
+    package.xml(source)?.ok_or_else(|| {
+        file.wrong(node, format!("source=\"{source}\" must be a path inside of the package"))
+    })
 }
 
 /// The parameters of an element ParameterSet.
@@ -97,7 +93,7 @@ fn parameter(
     };
     let unit = typed.attribute("unit").map(str::to_owned);
     let si = unit.as_ref().and_then(|unit| units.get(unit)).copied();
-    Ok(Parameter { name, value, unit, si, local: false })
+    Ok(Parameter { name, value, unit, si, local: false, transformation: Linear::IDENTITY })
 }
 
 /// `true`, `false`, `1` or `0`, as XML schema has it.
@@ -112,29 +108,32 @@ fn boolean(file: &XmlFile<'_>, node: Node<'_, '_>) -> Result<bool, SspError> {
 /// The parameters that a mapping takes over, under its names and with its transformations.
 fn mapped(
     file: &XmlFile<'_>,
-    package: &Path,
+    package: &Package<'_>,
     mapping: Node<'_, '_>,
     parameters: Vec<Parameter>,
 ) -> Result<Vec<Parameter>, SspError> {
     if let Some(source) = mapping.attribute("source") {
         let text = text_of(file, mapping, package, source)?;
         let file = XmlFile::parse(source, &text)?;
-        return entries(&file, file.document.root_element(), &parameters);
+        return entries(&file, package, file.document.root_element(), &parameters);
     }
     match child(mapping, "ParameterMapping") {
-        Some(mapping) => entries(file, mapping, &parameters),
+        Some(mapping) => entries(file, package, mapping, &parameters),
         None => Ok(vec![]),
     }
 }
 
 fn entries(
     file: &XmlFile<'_>,
+    package: &Package<'_>,
     mapping: Node<'_, '_>,
     parameters: &[Parameter],
 ) -> Result<Vec<Parameter>, SspError> {
     let mut mapped = vec![];
+    let mut sources = vec![];
     for entry in children(mapping, "MappingEntry") {
         let source = file.required(entry, "source")?;
+        sources.push(source);
         let target = file.required(entry, "target")?;
         let transformation = transformation(file, entry)?;
         for parameter in parameters.iter().filter(|parameter| parameter.name == source) {
@@ -153,6 +152,14 @@ fn entries(
             }
             mapped.push(parameter);
         }
+    }
+    for parameter in parameters.iter().filter(|own| !sources.contains(&own.name.as_str())) {
+        let Parameter { name, .. } = parameter;
+        package.note(format!("'{name}' has a start value that {} maps to nothing", file.name));
+    }
+    for source in sources.into_iter().filter(|source| !parameters.iter().any(|p| p.name == *source))
+    {
+        package.note(format!("{} maps '{source}', which has no start value", file.name));
     }
     Ok(mapped)
 }

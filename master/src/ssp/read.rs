@@ -2,18 +2,19 @@
 //! flat.
 
 use std::cmp::Ordering;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use roxmltree::Node;
 
 use super::connect::{self, Edge};
 use super::error::SspError;
+use super::package::Package;
 use super::parameters;
 use super::schedule;
 use super::units::{transformation, units};
+use super::values::{self, Bound};
 use super::xml::{XmlFile, child, listed};
-use crate::files::file_error::FileError;
 use crate::system::structure::{
     Component, Connector, ConnectorKind, Endpoint, Sampling, Structure,
 };
@@ -24,14 +25,14 @@ pub const STRUCTURE_FILE: &str = "SystemStructure.ssd";
 /// MIME type of a component that is an FMU, the default.
 pub const FMU_TYPE: &str = "application/x-fmu-sharedlibrary";
 
-/// Reads the structure in the folder of an unpacked package.
+/// Reads the structure in a file, such as [`STRUCTURE_FILE`], in the folder of an unpacked package.
 ///
 /// # Errors
 /// When a file is missing or not as SSP 1.0 wants it.
-pub fn read(package: &Path) -> Result<Structure, SspError> {
-    let path = package.join(STRUCTURE_FILE);
-    let text = std::fs::read_to_string(&path).map_err(FileError::at(&path))?;
-    let file = XmlFile::parse(STRUCTURE_FILE, &text)?;
+pub fn read(folder: &Path, file: &str) -> Result<Structure, SspError> {
+    let package = Package::new(folder);
+    let text = package.xml(file)?.unwrap_or_default();
+    let file = XmlFile::parse(file, &text)?;
     let root = file.document.root_element();
     let system = child(root, "System")
         .ok_or_else(|| file.wrong(root, "there is no element System".to_owned()))?;
@@ -54,16 +55,30 @@ pub fn read(package: &Path) -> Result<Structure, SspError> {
             return Err(file.wrong(experiment, message));
         }
     }
-    let mut reader =
-        Reader { file: &file, package, structure, edges: vec![], samplings: HashMap::new() };
+    let mut reader = Reader {
+        file: &file,
+        package: &package,
+        structure,
+        edges: vec![],
+        taken: HashSet::new(),
+        ports: HashMap::new(),
+        names: HashSet::new(),
+        bound: vec![],
+        samplings: HashMap::new(),
+    };
     reader.system(system, "")?;
-    let Reader { mut structure, edges, samplings, .. } = reader;
-    structure.connections = connect::trace(&edges, &structure);
+    let Reader { mut structure, edges, ports, bound, samplings, .. } = reader;
+    structure.connections = connect::trace(&edges, &structure)
+        .map_err(|problem| SspError::Unfit { file: file.name.clone(), problems: vec![problem] })?;
+    let unmatched = values::hand_on(bound, &edges, &ports, &mut structure);
     for connection in &mut structure.connections {
         if let Some(sampling) = samplings.get(&connection.to) {
             connection.sampling = *sampling;
         }
     }
+    drop(file);
+    structure.notes = package.into_notes();
+    structure.notes.extend(unmatched);
     Ok(structure)
 }
 
@@ -84,9 +99,17 @@ fn step(file: &XmlFile<'_>, experiment: Node<'_, '_>) -> Result<Option<f64>, Ssp
 
 struct Reader<'r, 't> {
     file: &'r XmlFile<'t>,
-    package: &'r Path,
+    package: &'r Package<'r>,
     structure: Structure,
     edges: Vec<Edge>,
+    /// The ends of connections that take a value.
+    taken: HashSet<Endpoint>,
+    /// The connectors of systems.
+    ports: HashMap<Endpoint, Connector>,
+    /// Full names of the components and of the systems inside.
+    names: HashSet<String>,
+    /// Start values that are bound at systems.
+    bound: Vec<Bound>,
     /// What inputs get of which a slower component does not get the mean.
     samplings: HashMap<Endpoint, Sampling>,
 }
@@ -95,16 +118,18 @@ impl Reader<'_, '_> {
     /// Takes in a system, whose elements get names that begin with `prefix`.
     fn system(&mut self, system: Node<'_, '_>, prefix: &str) -> Result<(), SspError> {
         let mut kinds = HashMap::new();
+        let own = prefix.trim_end_matches('.');
         for connector in self.connectors(system)? {
-            kinds.insert((None, connector.name), connector.kind);
+            kinds.insert((None, connector.name.clone()), connector.kind);
+            self.ports.insert(Endpoint::new(own, &connector.name), connector);
         }
         for element in child(system, "Elements").into_iter().flat_map(|list| list.children()) {
             match element.tag_name().name() {
                 "" => continue,
                 "Component" => self.component(element, prefix)?,
                 "System" => {
-                    let name = self.file.required(element, "name")?;
-                    self.system(element, &format!("{prefix}{name}."))?;
+                    let name = self.name(element, prefix)?;
+                    self.system(element, &format!("{name}."))?;
                 }
                 other => {
                     let message = format!(
@@ -122,25 +147,20 @@ impl Reader<'_, '_> {
             self.connection(connection, prefix, &kinds)?;
         }
         for parameter in parameters::bindings(self.file, self.package, system)? {
-            self.parameter_of_system(parameter, prefix);
+            self.bound.push(Bound { system: own.to_owned(), parameter });
         }
         Ok(())
     }
 
-    /// A parameter that is bound at a system belongs to the element that its name begins with.
-    fn parameter_of_system(
-        &mut self,
-        mut parameter: crate::system::structure::Parameter,
-        prefix: &str,
-    ) {
-        let full = format!("{prefix}{}", parameter.name);
-        let of_component = self.structure.components.iter_mut().find_map(|component| {
-            let variable = full.strip_prefix(&component.name)?.strip_prefix('.')?.to_owned();
-            Some((component, variable))
-        });
-        if let Some((component, variable)) = of_component {
-            parameter.name = variable;
-            component.parameters.push(parameter);
+    /// The full name of a component or system, which no other has.
+    fn name(&mut self, element: Node<'_, '_>, prefix: &str) -> Result<String, SspError> {
+        let name = format!("{prefix}{}", self.file.required(element, "name")?);
+        match self.names.insert(name.clone()) {
+            true => Ok(name),
+            false => {
+                let message = format!("there are two components with the name '{name}'");
+                Err(self.file.wrong(element, message))
+            }
         }
     }
 
@@ -150,7 +170,8 @@ impl Reader<'_, '_> {
             let message = format!("a component of type {kind} is not supported; Hotfoot runs FMUs");
             return Err(self.file.wrong(node, message));
         }
-        let name = format!("{prefix}{}", self.file.required(node, "name")?);
+        let name = self.name(node, prefix)?;
+        let source = self.file.required(node, "source")?.to_owned();
         let (schedule, samplings) = schedule::read(self.file, node)?;
         let of_component = samplings
             .into_iter()
@@ -158,15 +179,11 @@ impl Reader<'_, '_> {
         self.samplings.extend(of_component);
         let component = Component {
             name,
-            source: self.file.required(node, "source")?.to_owned(),
+            source,
             connectors: self.connectors(node)?,
             parameters: parameters::bindings(self.file, self.package, node)?,
             schedule,
         };
-        if self.structure.component(&component.name).is_some() {
-            let message = format!("there are two components with the name '{}'", component.name);
-            return Err(self.file.wrong(node, message));
-        }
         self.structure.components.push(component);
         Ok(())
     }
@@ -204,7 +221,8 @@ impl Reader<'_, '_> {
         kinds: &HashMap<(Option<String>, String), ConnectorKind>,
     ) -> Result<(), SspError> {
         let end = |element: &str, connector: &str| {
-            let element = node.attribute(element);
+            // OMSimulator names the system itself by an empty text.
+            let element = node.attribute(element).filter(|name| !name.is_empty());
             let connector = self.file.required(node, connector)?;
             let key = (element.map(str::to_owned), connector.to_owned());
             let kind = kinds.get(&key).ok_or_else(|| {
@@ -230,6 +248,9 @@ impl Reader<'_, '_> {
             return Err(self.file.wrong(node, message));
         }
         let (from, to) = if start_gives { (start, stop) } else { (stop, start) };
+        if !self.taken.insert(to.clone()) {
+            return Err(self.file.wrong(node, format!("'{to}' is connected already")));
+        }
         let suppressed: Option<bool> = self.file.value(node, "suppressUnitConversion")?;
         self.edges.push(Edge {
             from,

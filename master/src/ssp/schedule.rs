@@ -14,7 +14,7 @@
 //! ```
 //!
 //! A component without one steps at every communication point in stage 0, and inputs without one get
-//! means.
+//! means. `sameThread="true"` beside them: its FMU may be called by the thread only that has made it.
 
 use roxmltree::Node;
 use serde::Serialize;
@@ -45,6 +45,8 @@ struct ScheduleElement<'a> {
     stage: usize,
     #[serde(rename = "@every")]
     every: u64,
+    #[serde(rename = "@sameThread", skip_serializing_if = "std::ops::Not::not")]
+    same_thread: bool,
     #[serde(rename = "hotfoot:Input")]
     inputs: Vec<Input<'a>>,
 }
@@ -88,9 +90,9 @@ impl<'a> Annotation<'a> {
         let stated = samplings.iter().filter(|_| schedule.every > 1);
         let stated = stated.filter(|(_, sampling)| *sampling != Sampling::default());
         let inputs = stated.map(|&(name, sampling)| Input { name, sampling: name_of(sampling) });
-        let Schedule { stage, every } = schedule;
+        let Schedule { stage, every, same_thread } = schedule;
         let inputs = inputs.collect();
-        let schedule = ScheduleElement { stage, every, inputs };
+        let schedule = ScheduleElement { stage, every, same_thread, inputs };
         Some(Self { kind: SCHEDULE_TYPE, schedule })
     }
 }
@@ -139,7 +141,8 @@ pub fn read(
         })?;
         samplings.push((file.required(input, "name")?.to_owned(), sampling.1));
     }
-    Ok((Schedule { stage, every }, samplings))
+    let same_thread = file.value(node, "sameThread")?.unwrap_or(false);
+    Ok((Schedule { stage, every, same_thread }, samplings))
 }
 
 /// A file that names a stage of a high number would take memory for all before it.

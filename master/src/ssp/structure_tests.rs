@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::read::{STRUCTURE_FILE, read};
 use super::write::write;
+use crate::interface::si::Linear;
 use crate::system::structure::{Parameter, Sampling, Schedule, Structure, Value};
 
 const NAMESPACES: &str = r#"xmlns:ssd="http://ssp-standard.org/SSP1/SystemStructureDescription"
@@ -33,7 +34,7 @@ fn structure_with(
     for (name, text) in files.iter().chain(&[(STRUCTURE_FILE, text.as_str())]) {
         std::fs::write(folder.path().join(name), text).unwrap();
     }
-    read(folder.path()).map_err(|error| error.to_string())
+    read(folder.path(), STRUCTURE_FILE).map_err(|error| error.to_string())
 }
 
 fn component(name: &str, content: &str) -> String {
@@ -128,6 +129,7 @@ fn start_values_come_from_the_structure_from_files_and_through_mappings() {
         unit: unit.map(str::to_owned),
         si: None,
         local: false,
+        transformation: Linear::IDENTITY,
     };
     assert_eq!(
         structure.component("a").unwrap().parameters,
@@ -164,7 +166,7 @@ fn what_is_written_is_read_as_it_was() {
 fn written_and_read(structure: &Structure) -> Structure {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join(STRUCTURE_FILE), write(structure).unwrap()).unwrap();
-    read(folder.path()).unwrap()
+    read(folder.path(), STRUCTURE_FILE).unwrap()
 }
 
 /// Rates, stages with their names and what a slower component gets stand in annotations.
@@ -186,7 +188,7 @@ fn a_schedule_is_read_as_it_was_written() {
         }
         written.step = Some(1e-3);
         written.stages = vec!["train".to_owned(), "rail".to_owned()];
-        written.components[1].schedule = Schedule { stage: 1, every: 10 };
+        written.components[1].schedule = Schedule { stage: 1, every: 10, ..Schedule::default() };
         written.connections[0].sampling = sampling;
         assert_eq!(written_and_read(&written), written);
     }
@@ -276,7 +278,7 @@ fn what_is_wrong_is_answered_with_file_and_line() {
         assert!(message.contains(STRUCTURE_FILE) && message.contains(wanted), "{message}");
     }
     let folder = tempfile::tempdir().unwrap();
-    let message = read(folder.path()).unwrap_err().to_string();
+    let message = read(folder.path(), STRUCTURE_FILE).unwrap_err().to_string();
     assert!(message.contains(STRUCTURE_FILE), "{message}");
     assert!(!Path::new(STRUCTURE_FILE).exists());
 }

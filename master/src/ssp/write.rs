@@ -14,6 +14,7 @@ use super::elements::{
     Transformation, TypedValue,
 };
 use super::error::SspError;
+use super::package::OSP_NAMESPACE;
 use super::read::FMU_TYPE;
 use super::schedule::{self, StagesAnnotation};
 use crate::system::structure::{ConnectorKind, Endpoint, Sampling, Structure, Value};
@@ -29,7 +30,7 @@ pub fn write(structure: &Structure) -> Result<String, SspError> {
         .namespace("ssd", namespace("Description").as_str())
         .namespace("ssc", namespace("Common").as_str())
         .namespace("ssv", namespace("ParameterValues").as_str())
-        .namespace("osp", "http://opensimulationplatform.com/SSP/OSPAnnotations")
+        .namespace("osp", OSP_NAMESPACE)
         .namespace("hotfoot", schedule::NAMESPACE)
         .to_string(&Description::of(structure))?;
     Ok(text + "\n")

@@ -5,6 +5,7 @@ use std::str::FromStr;
 use roxmltree::{Document, Node};
 
 use super::error::SspError;
+use crate::files::xml_depth::check_depth;
 
 /// A file of the package, parsed; prefixes of names do not matter.
 pub struct XmlFile<'t> {
@@ -20,6 +21,7 @@ impl<'t> XmlFile<'t> {
     /// # Errors
     /// When it is not XML.
     pub fn parse(name: &str, text: &'t str) -> Result<Self, SspError> {
+        check_depth(text).map_err(|source| SspError::Depth { file: name.to_owned(), source })?;
         let document = Document::parse(text)
             .map_err(|source| SspError::Syntax { file: name.to_owned(), source })?;
         Ok(Self { name: name.to_owned(), document })

@@ -196,7 +196,7 @@ fn parametrise(
                 problems.push(format!("start value of {name}: a String input cannot be started"))
             }
             true => {}
-            false => set(unit.as_mut(), variable.reference, &value)?,
+            false => unit.set_value(variable.reference, &value)?,
         }
     }
     Ok(problems)
@@ -222,27 +222,24 @@ fn converted(
             ));
         }
     };
-    let (Value::Real(number), Some(unit)) = (&value, &parameter.unit) else {
-        return Ok(value);
+    let transformation = parameter.transformation;
+    let Value::Real(number) = value else {
+        return match transformation.is_identity() {
+            true => Ok(value),
+            false => Err("only a Real can be transformed".to_owned()),
+        };
     };
+    let transformed = |number| Ok(Value::Real(transformation.apply(number)));
+    let Some(unit) = &parameter.unit else { return transformed(number) };
     let given = parameter.si.or_else(|| units.get(unit).copied()).or_else(|| interface.unit(unit));
     match (given, variable.si) {
         (Some(given), Some(own)) => match given.to(&own) {
-            Some(conversion) => Ok(Value::Real(conversion.apply(*number))),
+            Some(conversion) => transformed(conversion.apply(number)),
             None => Err(format!(
                 "the units '{unit}' and '{}' measure different things",
                 variable.unit.as_deref().unwrap_or("1")
             )),
         },
-        _ => Ok(value),
-    }
-}
-
-fn set(unit: &mut dyn Unit, reference: u32, value: &Value) -> Result<(), UnitError> {
-    match value {
-        Value::Real(value) => unit.set_reals(&[reference], &[*value]),
-        Value::Integer(value) => unit.set_integers(&[reference], &[*value]),
-        Value::Boolean(value) => unit.set_booleans(&[reference], &[i32::from(*value)]),
-        Value::Text(value) => unit.set_text(reference, value),
+        _ => transformed(number),
     }
 }

@@ -224,7 +224,7 @@ mod tests {
         let component = |name: &str, source: &str, stage, every| Component {
             name: name.to_owned(),
             source: format!("/results/fmus/{source}.fmu"),
-            schedule: Schedule { stage, every },
+            schedule: Schedule { stage, every, ..Schedule::default() },
             ..Component::default()
         };
         let mut structure = Structure {

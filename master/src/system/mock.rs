@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
+use crate::interface::range::Range;
 use crate::interface::{Interface, Variable, VariableType};
 use crate::system::unit::{Unit, UnitError};
 
@@ -34,8 +35,10 @@ impl Mock {
             reference: i as u32,
             kind: VariableType::Real,
             causality: (*causality).to_owned(),
+            discrete: false,
             unit: None,
             si: None,
+            range: Range::FINITE,
             start: None,
             description: String::new(),
         };

@@ -5,16 +5,19 @@
 //! |---|---|
 //! | `structure.rs` | what a system consists of: components, connections, start values, schedule |
 //! | `unit.rs`, `signals.rs`, `part.rs` | a model, groups of its variables, and both in a system |
+//! | `checks.rs`, `motion.rs` | whether values that units give can be |
 //! | `compile.rs`, `links.rs` | from a structure and its units to a system |
 //! | `start.rs` | the initialisation |
 //! | `step.rs`, `clock.rs`, `parallel.rs`, `times.rs` | the step |
 //! | `tap.rs` | signals by name |
 //! | `drawing.rs` | a structure as a person would draw it |
 
+pub mod checks;
 pub mod clock;
 pub mod compile;
 mod drawing;
 pub mod links;
+mod motion;
 pub mod parallel;
 pub mod part;
 pub mod signals;

@@ -11,6 +11,10 @@ pub fn for_each<T: Send, E: Send>(
     items: &mut [T],
     task: impl Fn(&mut T) -> Result<(), E> + Sync,
 ) -> Result<(), E> {
+    if let [item] = items {
+        // A single one needs no other thread, which an FMU might not bear.
+        return task(item);
+    }
     let first_error = items
         .par_iter_mut()
         .with_max_len(1)

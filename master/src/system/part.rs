@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
+use super::checks::{Watch, WatchState};
 use super::clock::Clock;
 use super::signals::Signals;
 use super::structure::Sampling;
@@ -25,6 +26,8 @@ pub struct Part {
     pub every: u64,
     /// Stage in which it steps.
     pub stage: usize,
+    /// Checks what the unit gives.
+    pub watch: Watch,
     /// Wall time of its steps so far.
     pub wall: Duration,
     /// Sums of the connected inputs since its last step, where it steps less often than the others.
@@ -41,6 +44,7 @@ pub struct PartState {
     unit: Vec<u8>,
     inputs: Signals,
     outputs: Signals,
+    watch: WatchState,
     wall: Duration,
     sums: Vec<f64>,
 }
@@ -48,8 +52,10 @@ pub struct PartState {
 impl Part {
     /// A unit that is not connected yet.
     pub fn new(unit: Box<dyn Unit>, stage: usize, every: u64) -> Self {
+        let watch = Watch::of(unit.interface());
         Self {
             unit,
+            watch,
             inputs: Signals::default(),
             outputs: Signals::default(),
             starts: Signals::default(),
@@ -88,9 +94,35 @@ impl Part {
         let watch = (!self.unit.is_brief()).then(Stopwatch::start);
         self.inputs.set(self.unit.as_mut())?;
         self.unit.step(time, length)?;
-        self.outputs.get(self.unit.as_mut())?;
+        self.take_outputs(time + length)?;
         self.wall += watch.map_or(Duration::ZERO, |mut watch| watch.lap());
         Ok(())
+    }
+
+    /// Gets the outputs as they are at `time`, s, and checks them.
+    ///
+    /// # Errors
+    /// When the unit fails, or an output cannot be.
+    pub fn take_outputs(&mut self, time: f64) -> Result<(), UnitError> {
+        let Self { unit, outputs, watch, .. } = self;
+        outputs.get(unit.as_mut())?;
+        watch.check(outputs, unit.as_ref(), time)?;
+        watch.check_motions(outputs, unit.as_ref(), time)
+    }
+
+    /// Gets other variables as they are at `time`, s, and checks them.
+    ///
+    /// # Errors
+    /// When the unit fails, or a value cannot be.
+    pub fn take(&mut self, signals: &mut Signals, time: f64) -> Result<(), UnitError> {
+        signals.get(self.unit.as_mut())?;
+        self.watch.check(signals, self.unit.as_ref(), time)
+    }
+
+    /// Takes the warnings of the unit and of the checks, under the unit's name.
+    pub fn take_warnings(&mut self) -> Vec<String> {
+        let texts = self.unit.take_warnings().into_iter().chain(self.watch.take_warnings());
+        texts.map(|text| format!("{}: {text}", self.unit.name())).collect()
     }
 
     /// Turns the sums into the inputs of the next step and begins new ones.
@@ -115,6 +147,7 @@ impl Part {
             unit: self.unit.save()?,
             inputs: self.inputs.clone(),
             outputs: self.outputs.clone(),
+            watch: self.watch.save(),
             wall: self.wall,
             sums: self.sums.clone(),
         })
@@ -125,7 +158,7 @@ impl Part {
     /// # Errors
     /// When the unit refuses, or it was saved by another part.
     pub fn restore(&mut self, saved: PartState) -> Result<(), UnitError> {
-        let PartState { unit, inputs, outputs, wall, sums } = saved;
+        let PartState { unit, inputs, outputs, watch, wall, sums } = saved;
         let same = inputs.has_variables_of(&self.inputs)
             && outputs.has_variables_of(&self.outputs)
             && sums.len() == self.sums.len();
@@ -134,6 +167,7 @@ impl Part {
         }
         self.unit.restore(&unit)?;
         (self.inputs, self.outputs, self.sums) = (inputs, outputs, sums);
+        self.watch.restore(watch);
         self.wall = wall;
         Ok(())
     }

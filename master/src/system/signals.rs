@@ -1,10 +1,13 @@
 //! Variables of a unit that are set or got together, by type.
 
+use std::collections::HashMap;
+
 use serde::{Deserialize, Serialize};
 
 use super::structure::Value;
 use super::unit::{Unit, UnitError};
 use crate::interface::VariableType;
+use crate::interface::range::Range;
 
 /// Relative change of a Real that is no more than rounding.
 const ROUNDING: f64 = 1e-13;
@@ -16,6 +19,11 @@ pub struct Bank<T> {
     references: Vec<u32>,
     /// Their values.
     pub values: Vec<T>,
+    /// The least and the greatest value that each of them may have.
+    #[serde(skip)]
+    lower: Vec<T>,
+    #[serde(skip)]
+    upper: Vec<T>,
 }
 
 impl<T: Copy> Bank<T> {
@@ -39,6 +47,55 @@ impl<T: Copy> Bank<T> {
         self.values[index] = value;
     }
 }
+
+impl<T: Copy + PartialOrd + Bound> Bank<T> {
+    /// Whether all values are within their bounds; NaN is not. Bounds are looked up at the first time.
+    fn is_within(&mut self, kind: VariableType, ranges: &Ranges) -> bool {
+        if self.lower.len() != self.references.len() {
+            let range = |reference| ranges.get(&(kind, reference)).unwrap_or(&Range::FINITE);
+            let bounds = self.references.iter().map(|&reference| range(reference));
+            (self.lower, self.upper) = bounds.map(|r| (T::bound(r.min), T::bound(r.max))).unzip();
+        }
+        let bounds = self.lower.iter().zip(&self.upper);
+        let pairs = self.values.iter().zip(bounds);
+        // Without a branch, which takes a quarter of the time.
+        pairs.fold(true, |all, (value, (lower, upper))| all & (value >= lower) & (value <= upper))
+    }
+}
+
+impl<T: Copy + Into<f64>> Bank<T> {
+    /// The variables whose values are not within their bounds: reference, value and bounds.
+    fn outside(&self) -> impl Iterator<Item = (u32, f64, Range)> {
+        let bounds = self.lower.iter().zip(&self.upper);
+        let bounds = bounds.map(|(&min, &max)| Range { min: min.into(), max: max.into() });
+        let values = self.values.iter().map(|&value| value.into());
+        let all = self.references.iter().copied().zip(values).zip(bounds);
+        all.map(|((reference, value), range)| (reference, value, range))
+            .filter(|(_, value, range)| !(*value >= range.min && *value <= range.max))
+    }
+}
+
+/// A number that a bound can be.
+pub trait Bound {
+    /// The bound, or that of the type if it has none so far away.
+    fn bound(bound: f64) -> Self;
+}
+
+impl Bound for f64 {
+    fn bound(bound: f64) -> Self {
+        bound
+    }
+}
+
+impl Bound for i32 {
+    fn bound(bound: f64) -> Self {
+        // The conversion ends at the least and the greatest number of the type.
+        bound as Self
+    }
+}
+
+/// The ranges of variables that have one, by type and value reference.
+pub type Ranges = HashMap<(VariableType, u32), Range>;
 
 /// Variables of all types that are set or got together.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
@@ -109,6 +166,22 @@ impl Signals {
         self.reals.references == other.reals.references
             && self.integers.references == other.integers.references
             && self.booleans.references == other.booleans.references
+    }
+
+    /// Whether all values are finite and within their ranges.
+    pub(super) fn are_within(&mut self, ranges: &Ranges) -> bool {
+        self.reals.is_within(VariableType::Real, ranges)
+            & self.integers.is_within(VariableType::Integer, ranges)
+            & self.booleans.is_within(VariableType::Boolean, ranges)
+    }
+
+    /// The variables whose values are not: which, value, and range.
+    pub(super) fn outside(&self) -> Vec<((VariableType, u32), f64, Range)> {
+        let of = |kind, found: (u32, f64, Range)| ((kind, found.0), found.1, found.2);
+        let reals = self.reals.outside().map(|found| of(VariableType::Real, found));
+        let integers = self.integers.outside().map(|found| of(VariableType::Integer, found));
+        let booleans = self.booleans.outside().map(|found| of(VariableType::Boolean, found));
+        reals.chain(integers).chain(booleans).collect()
     }
 
     /// Sends the values to the unit.

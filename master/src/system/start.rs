@@ -1,6 +1,7 @@
 //! The start of a system: the initialisation of all units, with initial values that flow from
 //! outputs to inputs until nothing changes any more.
 
+use super::clock::beyond;
 use super::parallel;
 use super::signals::Signals;
 use super::step::{Stage, System};
@@ -44,7 +45,7 @@ impl System {
         let start = self.clock.start;
         let mut parts: Vec<_> = self.parts.iter_mut().enumerate().collect();
         parallel::for_each(&mut parts, |(number, part)| {
-            part.unit.enter_initialization(start, stop(*number))?;
+            part.unit.enter_initialization(start, beyond(start, stop(*number)))?;
             part.starts.set(part.unit.as_mut())
         })?;
         self.settle()?;
@@ -58,6 +59,7 @@ impl System {
     /// once more what those before it give.
     fn begin(&mut self, stage: usize) -> Result<(), UnitError> {
         let all = vec![true; self.parts.len()];
+        let start = self.clock.start;
         let parts = self.stages[stage].parts.clone();
         let changed = self.take(stage, &all);
         let mut concerned: Vec<_> = self.parts[parts].iter_mut().zip(changed).collect();
@@ -66,7 +68,7 @@ impl System {
                 part.inputs.set(part.unit.as_mut())?;
             }
             part.unit.exit_initialization()?;
-            part.outputs.get(part.unit.as_mut())
+            part.take_outputs(start)
         })
     }
 

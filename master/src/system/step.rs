@@ -8,6 +8,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
+use super::checks::Checks;
 use super::clock::Clock;
 use super::links::Links;
 use super::parallel;
@@ -27,6 +28,17 @@ pub struct System {
     pub times: StepTimes,
     /// Number of each part by its name.
     numbers: HashMap<String, usize>,
+}
+
+/// A unit wants the run to end.
+#[derive(Debug)]
+pub struct WishToEnd {
+    /// Number of its part.
+    pub part: usize,
+    /// Its name and file.
+    pub of: String,
+    /// The time until which it came, s.
+    pub time: f64,
 }
 
 /// Units that step together, and what they take before.
@@ -99,6 +111,14 @@ impl System {
         })
     }
 
+    /// The wish of the unit whose step failed with this error, if it failed to end the run.
+    pub fn wish_to_end(&self, error: &UnitError) -> Option<WishToEnd> {
+        let part = self.number(&error.instance)?;
+        let unit = self.parts[part].unit.as_ref();
+        let of = format!("{} ({})", unit.name(), unit.source_file());
+        unit.wish_to_end().map(|time| WishToEnd { part, of, time })
+    }
+
     /// The number of the part of that name.
     pub fn number(&self, name: &str) -> Option<usize> {
         self.numbers.get(name).copied()
@@ -107,6 +127,16 @@ impl System {
     /// All units, in the order of the parts.
     pub fn units(&self) -> impl Iterator<Item = &dyn Unit> {
         self.parts.iter().map(|part| part.unit.as_ref())
+    }
+
+    /// Says what becomes of values of its units that cannot be.
+    pub fn set_checks(&mut self, checks: Checks) {
+        self.parts.iter_mut().for_each(|part| part.watch.checks = checks);
+    }
+
+    /// Takes the warnings of all units and of the checks.
+    pub fn take_warnings(&mut self) -> Vec<String> {
+        self.parts.iter_mut().flat_map(Part::take_warnings).collect()
     }
 
     /// All units, in the order of the parts.

@@ -17,6 +17,10 @@ const STEP: f64 = 0.5;
 
 /// A structure of components m0, m1, … that are linked as pairs of numbers from the output y to the
 /// input u, with a factor.
+fn schedule(stage: usize, every: u64) -> Schedule {
+    Schedule { stage, every, ..Schedule::default() }
+}
+
 fn structure(schedules: &[Schedule], links: &[(usize, usize)], factor: f64) -> Structure {
     let component = |(number, schedule): (usize, &Schedule)| Component {
         name: format!("m{number}"),
@@ -94,7 +98,7 @@ fn analytic_every_hop_of_a_chain_takes_one_step() {
 /// A unit whose output is right only when its initialisation has ended: the next stage starts with it.
 #[test]
 fn a_later_stage_starts_with_what_the_initialisation_of_an_earlier_one_has_given() {
-    let stage = |stage| Schedule { stage, every: 1 };
+    let stage = |stage| Schedule { stage, ..Schedule::default() };
     let structure = structure(&[stage(0), stage(1)], &[(0, 1)], 1.0);
     let calls = Calls::default();
     let late = |mock: Mock| mock.computing_at_exit();
@@ -145,7 +149,7 @@ fn a_long_loop_is_told_with_five_of_its_inputs() {
 /// structure does not matter.
 #[test]
 fn analytic_stages_hand_values_on_within_a_step() {
-    let stage = |stage| Schedule { stage, every: 1 };
+    let stage = |stage| Schedule { stage, ..Schedule::default() };
     let structure = structure(&[stage(2), stage(0), stage(1)], &[(1, 2), (2, 0)], 1.0);
     let units = mocks(&structure, &Calls::default(), |mock| mock);
     let mut system = compiled(&structure, units);
@@ -166,7 +170,7 @@ fn analytic_a_slower_component_gets_means_sums_or_last_values() {
         [(Sampling::Mean, [1.0, 2.5]), (Sampling::Sum, [3.0, 7.5]), (Sampling::Last, [1.5, 3.0])]
     {
         let calls = Calls::default();
-        let schedules = [Schedule { stage: 0, every: 1 }, Schedule { stage: 1, every: 3 }];
+        let schedules = [schedule(0, 1), schedule(1, 3)];
         let mut structure = structure(&schedules, &[(0, 1)], 1.0);
         structure.connections[0].sampling = sampling;
         let mut units = mocks(&structure, &calls, |mock| mock);
@@ -192,7 +196,7 @@ fn analytic_a_slower_component_gets_means_sums_or_last_values() {
 /// A slow giver holds its output until its next step.
 #[test]
 fn analytic_what_a_slower_component_gives_is_held() {
-    let schedules = [Schedule { stage: 0, every: 2 }, Schedule { stage: 1, every: 1 }];
+    let schedules = [schedule(0, 2), schedule(1, 1)];
     let structure = structure(&schedules, &[(0, 1)], 1.0);
     let units = mocks(&structure, &Calls::default(), |mock| mock);
     let mut system = compiled(&structure, units);

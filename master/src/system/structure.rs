@@ -3,6 +3,7 @@
 
 use std::collections::HashMap;
 
+use crate::interface::VariableType;
 use crate::interface::si::{Linear, SiUnit};
 
 /// A system of FMUs.
@@ -24,6 +25,10 @@ pub struct Structure {
     pub step: Option<f64>,
     /// What the stages are called, in their order; those without a name have numbers.
     pub stages: Vec<String>,
+    /// Relative tolerance that the FMUs are told instead of their own; none: their own.
+    pub tolerance: Option<f64>,
+    /// What the user should know of the file that it comes from, in sentences.
+    pub notes: Vec<String>,
 }
 
 /// An instance of an FMU.
@@ -41,7 +46,7 @@ pub struct Component {
     pub schedule: Schedule,
 }
 
-/// When a component steps.
+/// When a component steps, and where.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Schedule {
     /// In a step of the exchange the stages follow one another, from 0: a component takes what those
@@ -49,12 +54,14 @@ pub struct Schedule {
     pub stage: usize,
     /// It steps at every so many communication points.
     pub every: u64,
+    /// Whether its FMU must be called by the thread that has made it.
+    pub same_thread: bool,
 }
 
 impl Default for Schedule {
     /// With all others, at every communication point.
     fn default() -> Self {
-        Self { stage: 0, every: 1 }
+        Self { stage: 0, every: 1, same_thread: false }
     }
 }
 
@@ -131,6 +138,8 @@ pub struct Parameter {
     pub si: Option<SiUnit>,
     /// Whether it holds on this machine only, such as the path of a file of the results.
     pub local: bool,
+    /// What is done to the value behind the conversion of units.
+    pub transformation: Linear,
 }
 
 /// A value of any type.
@@ -146,7 +155,30 @@ pub enum Value {
     Text(String),
 }
 
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Real(value) => value.fmt(f),
+            Self::Integer(value) => value.fmt(f),
+            Self::Boolean(value) => value.fmt(f),
+            Self::Text(value) => value.fmt(f),
+        }
+    }
+}
+
 impl Value {
+    /// The value of a type that a text states; none where it is no value of it.
+    pub fn parse(text: &str, kind: VariableType) -> Option<Self> {
+        Some(match (kind, text.trim()) {
+            (VariableType::Real, text) => Self::Real(text.parse().ok()?),
+            (VariableType::Integer, text) => Self::Integer(text.parse().ok()?),
+            (VariableType::Boolean, "true" | "1") => Self::Boolean(true),
+            (VariableType::Boolean, "false" | "0") => Self::Boolean(false),
+            (VariableType::Boolean, _) => return None,
+            (VariableType::Text, _) => Self::Text(text.to_owned()),
+        })
+    }
+
     /// Name of the type.
     pub fn type_name(&self) -> &'static str {
         match self {
@@ -183,7 +215,14 @@ impl Connection {
 impl Parameter {
     /// A parameter without a unit.
     pub fn new(name: &str, value: Value) -> Self {
-        Self { name: name.to_owned(), value, unit: None, si: None, local: false }
+        Self {
+            name: name.to_owned(),
+            value,
+            unit: None,
+            si: None,
+            local: false,
+            transformation: Linear::IDENTITY,
+        }
     }
 }
 

@@ -1,11 +1,15 @@
 //! A unit: anything that a system can set, step and read. FMUs are units, and so are the
 //! mocks of the tests; the loop knows nothing else of them.
 
-use crate::interface::Interface;
+use std::fmt;
+
+use super::structure::Value;
+use crate::interface::{Interface, VariableType};
 
 /// Why a unit failed, with all that helps to find the cause.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{instance} ({source_file}): {action} failed{}{}", status_text(.status), log_text(.last_message))]
+///
+/// Its sentence begins with what the unit says itself, in the words of the user, where it says anything.
+#[derive(Debug, Clone, PartialEq)]
 pub struct UnitError {
     /// Name of the instance, such as `vehicle[17]`.
     pub instance: Box<str>,
@@ -19,12 +23,20 @@ pub struct UnitError {
     pub last_message: Option<Box<str>>,
 }
 
-fn status_text(status: &Option<&'static str>) -> String {
-    status.as_ref().map_or_else(String::new, |status| format!(" with {status}"))
-}
+impl std::error::Error for UnitError {}
 
-fn log_text(message: &Option<Box<str>>) -> String {
-    message.as_ref().map_or_else(String::new, |message| format!(": {message}"))
+impl fmt::Display for UnitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { instance, source_file, action, status, last_message } = self;
+        let status = status.map(|status| format!(" with {status}")).unwrap_or_default();
+        match last_message {
+            Some(message) => {
+                let message = message.trim_end();
+                write!(f, "{instance}: {message} ({source_file}: {action} failed{status})")
+            }
+            None => write!(f, "{instance} ({source_file}): {action} failed{status}"),
+        }
+    }
 }
 
 /// One co-simulation unit, in the order of calls of FMI 2.0 §4.2.4: parameters are set, then
@@ -123,6 +135,12 @@ pub trait Unit: Send {
     /// When the unit did not get there.
     fn step(&mut self, time: f64, length: f64) -> Result<(), UnitError>;
 
+    /// The time at which the unit wants the run to end, s, after a step that failed for that reason:
+    /// that until which it came.
+    fn wish_to_end(&self) -> Option<f64> {
+        None
+    }
+
     /// Whether it can be saved between two steps, and another one of its kind be set back.
     fn keeps_states(&self) -> bool {
         false
@@ -179,6 +197,42 @@ pub trait Unit: Send {
 }
 
 impl dyn Unit + '_ {
+    /// Sets a variable to a value of its type.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    pub fn set_value(&mut self, reference: u32, value: &Value) -> Result<(), UnitError> {
+        match value {
+            Value::Real(value) => self.set_reals(&[reference], &[*value]),
+            Value::Integer(value) => self.set_integers(&[reference], &[*value]),
+            Value::Boolean(value) => self.set_booleans(&[reference], &[i32::from(*value)]),
+            Value::Text(value) => self.set_text(reference, value),
+        }
+    }
+
+    /// Gets the value of a variable of this type.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    pub fn value(&mut self, kind: VariableType, reference: u32) -> Result<Value, UnitError> {
+        let (mut real, mut whole) = ([0.0], [0]);
+        Ok(match kind {
+            VariableType::Real => {
+                self.get_reals(&[reference], &mut real)?;
+                Value::Real(real[0])
+            }
+            VariableType::Integer => {
+                self.get_integers(&[reference], &mut whole)?;
+                Value::Integer(whole[0])
+            }
+            VariableType::Boolean => {
+                self.get_booleans(&[reference], &mut whole)?;
+                Value::Boolean(whole[0] != 0)
+            }
+            VariableType::Text => Value::Text(self.get_text(reference)?),
+        })
+    }
+
     /// Sets a Real parameter by its name.
     ///
     /// # Errors
@@ -220,13 +274,4 @@ impl dyn Unit + '_ {
 pub fn terminate<'u>(units: impl Iterator<Item = &'u mut Box<dyn Unit>>) -> Result<(), UnitError> {
     let ends: Vec<_> = units.map(|unit| unit.terminate()).collect();
     ends.into_iter().collect()
-}
-
-/// Takes the warnings that units have logged, each under its unit's name.
-pub fn take_warnings<'u>(units: impl Iterator<Item = &'u mut Box<dyn Unit>>) -> Vec<String> {
-    let of_unit = |unit: &mut Box<dyn Unit>| -> Vec<String> {
-        let texts = unit.take_warnings();
-        texts.into_iter().map(|text| format!("{}: {text}", unit.name())).collect()
-    };
-    units.flat_map(of_unit).collect()
 }

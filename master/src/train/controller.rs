@@ -4,6 +4,7 @@
 use controller::{Controller, Gains, Motion};
 
 use super::roles::tables::{CONTROLLER_INPUT, CONTROLLER_OUTPUT};
+use crate::interface::range::Range;
 use crate::interface::{Interface, Variable, VariableType};
 use crate::scenario::Synchronisation;
 use crate::system::structure::{Parameter, Value};
@@ -42,8 +43,10 @@ pub fn interface() -> Interface {
         reference,
         kind: VariableType::Real,
         causality: causality.to_owned(),
+        discrete: false,
         unit: None,
         si: None,
+        range: Range::FINITE,
         start: None,
         description: String::new(),
     }))

@@ -7,6 +7,7 @@
 //! | `structure.rs`, `vehicles.rs`, `rails.rs`, `layout.rs` | the components of a scenario, and who is what |
 //! | `fmus.rs`, `resources.rs`, `parameters.rs` | FMUs packed for the scenario, and their parameters |
 //! | `controller.rs` | the controller of a vehicle |
+//! | `limits.rs` | the physical bounds of the roles, told to the parts that fill them |
 //! | `locomotives.rs` | which vehicles are locomotives |
 //! | `signals.rs` | signals of the train by name |
 //! | `wheels_outside.rs` | what is wrong with the run before its first step |
@@ -17,6 +18,7 @@ pub mod error;
 pub mod fmus;
 
 pub mod layout;
+mod limits;
 pub mod locomotives;
 mod parameters;
 pub mod rails;

@@ -11,10 +11,10 @@ use super::roles::tables::SIDES;
 use super::roles::{self, Names, Role};
 use super::structure::{Builder, RAIL_STAGE, check_role};
 use crate::fmi::Import;
-use crate::interface::{Interface, Variable};
+use crate::interface::Interface;
 use crate::scenario::{Heat, Scenario};
 use crate::system::step::System;
-use crate::system::structure::{Parameter, Value};
+use crate::system::structure::{Parameter, Schedule, Value};
 use crate::system::unit::UnitError;
 
 /// Distance of each rail to the right of the track's middle on standard gauge, m.
@@ -41,7 +41,10 @@ impl Builder<'_> {
                 _ => format!("rail[{}]", SIDES[side]),
             };
             let parameters = self.rail_parameters(heat, side, &import)?;
-            self.add(&component, &import, parameters, RAIL_STAGE, every);
+            let fmus = &self.scenario.fmus;
+            let same_thread = fmus.same_thread && fmus.railheat.is_some();
+            let schedule = Schedule { stage: RAIL_STAGE, every, same_thread };
+            self.add(&component, &import, parameters, schedule);
             self.layout.rails.push(RailHolder { component, side });
         }
         Ok(())
@@ -70,10 +73,7 @@ impl Builder<'_> {
             text("field_failure", heat.field_failure.word()),
             text("model", &heat.model),
         ];
-        let needs = |Parameter { name, value, .. }: &Parameter| {
-            import.interface().variable(name).is_some_and(|variable| !starts_as(variable, value))
-        };
-        parameters.retain(needs);
+        parameters.retain(|parameter| import.interface().variable(&parameter.name).is_some());
         for (name, value) in &heat.parameters {
             parameters.push(parameter(import, "heat.parameters", name, value)?);
         }
@@ -170,10 +170,4 @@ impl RailInForce {
         }
         Ok(in_force)
     }
-}
-
-/// Whether a text is what a variable has anyway. It is not stated then: of the tools that run a package,
-/// FMPy's `simulate_ssp` sets no texts.
-fn starts_as(variable: &Variable, value: &Value) -> bool {
-    matches!(value, Value::Text(text) if variable.start.as_ref() == Some(text))
 }

@@ -2,6 +2,7 @@
 //! their instances get their parameters, their schedule, and what flows between them.
 
 use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
 use std::sync::Arc;
 
 use ::controller::Gains;
@@ -10,12 +11,14 @@ use super::controller::{self, ControllerUnit};
 use super::error::PrepareError;
 use super::fmus::{Folders, check_fmu};
 use super::layout::{Layout, VehicleHolder};
+use super::limits::limit;
 use super::resources;
 use super::roles::{self, Names, Role};
 use super::wiring::connections;
-use crate::fmi::{FmuInstance, Import, with_resource_paths};
+use crate::fmi::{self, Import, Manner, with_resource_paths};
 use crate::interface::Interface;
 use crate::scenario::{Scenario, Scheme};
+use crate::system::checks::Checks;
 use crate::system::clock::Clock;
 use crate::system::compile::compile;
 use crate::system::start::StartError;
@@ -44,6 +47,7 @@ pub struct TrainSystem {
     /// The FMUs by their files.
     imports: BTreeMap<String, Arc<Import>>,
     retries: bool,
+    checks: Checks,
 }
 
 /// Packs and imports the FMUs of a scenario and connects their instances.
@@ -63,6 +67,7 @@ pub fn of_scenario(scenario: &Scenario, folders: &Folders) -> Result<TrainSystem
             start: Some(0.0),
             stop: Some(scenario.duration_s),
             step: Some(scenario.step_s),
+            tolerance: scenario.fmus.tolerance,
             stages: stages.iter().map(|stage| (*stage).to_owned()).collect(),
             ..Structure::default()
         },
@@ -86,8 +91,9 @@ pub fn of_scenario(scenario: &Scenario, folders: &Folders) -> Result<TrainSystem
     let interfaces: HashMap<&str, &Interface> =
         structure.components.iter().map(|c| (c.name.as_str(), interface(c))).collect();
     structure.connections = connections(&layout, &interfaces);
-    let retries = scenario.fmus.retry_discarded_steps;
-    Ok(TrainSystem { structure, layout, imports, retries })
+    let (retries, checks) =
+        (scenario.fmus.retry_discarded_steps, scenario.checks.unwrap_or_default());
+    Ok(TrainSystem { structure, layout, imports, retries, checks })
 }
 
 /// Makes the components of a scenario.
@@ -106,12 +112,11 @@ impl Builder<'_> {
         name: &str,
         import: &Arc<Import>,
         parameters: Vec<Parameter>,
-        stage: usize,
-        every: u64,
+        schedule: Schedule,
     ) {
         let source = import.file().to_owned();
         self.imports.insert(source.clone(), Arc::clone(import));
-        self.component(name, source, parameters, Schedule { stage, every });
+        self.component(name, source, parameters, schedule);
     }
 
     fn component(
@@ -157,7 +162,10 @@ impl Builder<'_> {
             parameters.push(Parameter::new("wind.direction", Value::Real(direction)));
         }
         self.layout.train = "train".to_owned();
-        self.add("train", &import, parameters, TRAIN_STAGE, 1);
+        let fmus = &self.scenario.fmus;
+        let same_thread = fmus.same_thread && fmus.longitudinal.is_some();
+        let schedule = Schedule { stage: TRAIN_STAGE, same_thread, ..Schedule::default() };
+        self.add("train", &import, parameters, schedule);
         Ok(())
     }
 
@@ -167,12 +175,14 @@ impl Builder<'_> {
         import: &Arc<Import>,
         names: &Names,
         parameters: Vec<Parameter>,
+        same_thread: bool,
     ) -> Result<(), PrepareError> {
         let wheelsets = roles::wheelset_count(import.interface(), names);
         check_role(import, &roles::vehicle(wheelsets), names, Role::Vehicle)?;
         let number = self.layout.vehicles.len() + 1;
         let component = format!("vehicle[{number}]");
-        self.add(&component, import, parameters, VEHICLE_STAGE, 1);
+        let schedule = Schedule { stage: VEHICLE_STAGE, same_thread, ..Schedule::default() };
+        self.add(&component, import, parameters, schedule);
         self.layout.vehicles.push(VehicleHolder {
             component,
             prefix: String::new(),
@@ -193,7 +203,7 @@ impl Builder<'_> {
         let source = file.display().to_string();
         let names: Vec<_> = self.layout.vehicles.iter().map(|v| v.controller.clone()).collect();
         for name in names {
-            let schedule = Schedule { stage: TRAIN_STAGE, every: 1 };
+            let schedule = Schedule { stage: TRAIN_STAGE, ..Schedule::default() };
             self.component(&name, source.clone(), parameters.clone(), schedule);
         }
         Ok(())
@@ -233,6 +243,24 @@ pub(super) fn check_role(
 }
 
 impl TrainSystem {
+    /// The variables of the FMUs by their files, those of the controllers too.
+    ///
+    /// # Errors
+    /// When the FMU of the controllers cannot be read.
+    pub fn interfaces(&self) -> Result<HashMap<String, Interface>, PrepareError> {
+        let mut interfaces = HashMap::new();
+        for Component { source, .. } in &self.structure.components {
+            if !interfaces.contains_key(source) {
+                let interface = match self.imports.get(source) {
+                    Some(import) => import.interface().clone(),
+                    None => Import::interface_of(Path::new(source))?,
+                };
+                interfaces.insert(source.clone(), interface);
+            }
+        }
+        Ok(interfaces)
+    }
+
     /// The train alone, to ask it where its vehicles are at the start. It is not run any further.
     ///
     /// # Errors
@@ -284,15 +312,19 @@ impl TrainSystem {
         let Structure { start, step, .. } = &self.structure;
         let clock = Clock { start: start.unwrap_or(0.0), length: step.unwrap_or(DEFAULT_STEP) };
         let unit = |component: &Component| -> Result<Box<dyn Unit>, PrepareError> {
-            let Component { name, source, .. } = component;
+            let Component { name, source, schedule, .. } = component;
             let Some(import) = self.imports.get(source) else {
                 return Ok(Box::new(ControllerUnit::new(name, source)));
             };
-            let instance = FmuInstance::new(import, name)?;
-            Ok(Box::new(if self.retries { instance.retrying() } else { instance }))
+            let (retries, same_thread) = (self.retries, schedule.same_thread);
+            let manner = Manner { retries, same_thread, tolerance: self.structure.tolerance };
+            Ok(fmi::unit(import, name, manner)?)
         };
         let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
         let import = |component: &Component| self.imports.get(&component.source);
-        Ok(compile(&with_resource_paths(structure, import), units, clock)?)
+        let mut system = compile(&with_resource_paths(structure, import), units, clock)?;
+        system.set_checks(self.checks);
+        limit(&self.layout, &mut system);
+        Ok(system)
     }
 }

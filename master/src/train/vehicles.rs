@@ -38,16 +38,18 @@ impl<'a> Builder<'a> {
             if stated.is_none() && !of_type.contains_key(kind) {
                 of_type.insert(kind, self.of_type(kind)?);
             }
+            let mut same_thread = scenario.fmus.same_thread && stated.is_some();
             let VehicleFmu { import, names } = stated.unwrap_or_else(|| &of_type[kind]);
             let mut parameters = vec![];
             let stated = scenario.fmus.vehicle_at.iter().enumerate();
             for (i, other) in stated.filter(|(_, other)| other.vehicle == number) {
+                same_thread |= other.same_thread;
                 let key = format!("fmus.vehicle_at[{}].parameters", i + 1);
                 for (name, value) in &other.parameters {
                     parameters.push(parameter(import, &key, name, value)?);
                 }
             }
-            self.vehicle(import, names, parameters)?;
+            self.vehicle(import, names, parameters, same_thread)?;
         }
         Ok(())
     }

@@ -116,6 +116,7 @@ fn system(scheme: Scheme, every: u64) -> (System, Calls) {
         schedule: Schedule {
             stage: if scheme == Scheme::Jacobi { 0 } else { *stage },
             every: if unit.name() == "rail" { every } else { 1 },
+            ..Schedule::default()
         },
         ..Component::default()
     };

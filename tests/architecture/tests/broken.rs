@@ -176,6 +176,23 @@ fn a_constant_of_nature_is_told_where_it_is_written_again() {
 }
 
 #[test]
+fn an_elementary_function_of_the_system_is_told_in_the_models() {
+    let text = "fn f(x: f64) -> f64 {\n    let exp = x;\n    libm::exp(exp)\n        + x.sin()\n}\n\
+                const F: fn(f64) -> f64 = f64::ln;\n";
+    let files = [
+        ("fmus/longitudinal/Cargo.toml", "[package]\nname = \"longitudinal\"\n"),
+        ("fmus/longitudinal/src/lib.rs", text),
+        // No model.
+        (LIB, text),
+    ];
+    let expected = [
+        "fmus/longitudinal/src/lib.rs:4: `sin` hangs on the processor: use `libm::sin`",
+        "fmus/longitudinal/src/lib.rs:6: `ln` hangs on the processor: use `libm::log`",
+    ];
+    assert_eq!(said("elementary", &files), expected);
+}
+
+#[test]
 fn an_equation_is_complete_with_anchor_citation_and_validation() {
     let page = "docs/theory/longitudinal.md";
     let theory = "<a id=\"eq-1\"></a>\n```text\n(1)  a = b\n(12)  c = d\n```\n";

@@ -75,8 +75,8 @@ pub(crate) fn march(creepages: &ScaledCreepages, division: Division) -> ScaledFo
     let half_width = 0.5 * FRAC_PI_2 / division.pairs as f64;
     let mut forces = ScaledForces::default();
     for pair in 0..division.pairs {
-        let (y, half) = (half_width * (2 * pair + 1) as f64).sin_cos();
-        let width = 2.0 * half * half_width.sin();
+        let (y, half) = libm::sincos(half_width * (2 * pair + 1) as f64);
+        let width = 2.0 * half * libm::sin(half_width);
         // Adding up both sides at once makes mirrored motions give mirrored forces bit by bit.
         let sides = [y, -y].map(|y| march_strip(creepages, y, half, division.elements));
         let both =
@@ -94,7 +94,7 @@ fn march_strip(creepages: &ScaledCreepages, y: f64, half: f64, elements: usize) 
     let root = creepages.a_over_b.sqrt();
     let (spin_x, spin_y) = (creepages.spin / root, creepages.spin * root);
     let rise_x = creepages.longitudinal - spin_x * y;
-    let (turn_sine, turn_cosine) = (PI / elements as f64).sin_cos();
+    let (turn_sine, turn_cosine) = libm::sincos(PI / elements as f64);
     let (mut sine, mut cosine) = (0.0, 1.0);
     let (mut x, mut qx, mut qy) = (half, 0.0_f64, 0.0_f64);
     let mut sum = ScaledForces::default();

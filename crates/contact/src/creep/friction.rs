@@ -22,7 +22,7 @@ impl FallingFriction {
 
     /// Friction coefficient at a `slip_velocity` (magnitude, m/s).
     pub fn coefficient(&self, slip_velocity: f64) -> f64 {
-        let fallen = (-self.decay * slip_velocity).exp();
+        let fallen = libm::exp(-self.decay * slip_velocity);
         self.static_coefficient * ((1.0 - self.limit_ratio) * fallen + self.limit_ratio)
     }
 }

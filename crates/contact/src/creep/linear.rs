@@ -52,13 +52,13 @@ pub(crate) fn limited(
     slip: &SlipVelocity,
     speed: f64,
 ) -> CreepForces {
-    let slip_velocity = slip.longitudinal.hypot(slip.lateral);
+    let slip_velocity = libm::hypot(slip.longitudinal, slip.lateral);
     let limit = friction.coefficient(slip_velocity) * patch.normal_force;
     if limit.is_nan() || limit <= 0.0 {
         return CreepForces::default();
     }
     let linear = linear(patch, slip, speed);
-    let share = share(linear.force.longitudinal.hypot(linear.force.lateral) / limit);
+    let share = share(libm::hypot(linear.force.longitudinal, linear.force.lateral) / limit);
     let (force, damping) = (&linear.force, &linear.damping);
     CreepForces {
         force: TangentialForce {

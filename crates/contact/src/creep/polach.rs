@@ -117,7 +117,7 @@ impl Polach {
         let adhesion = self.adhesion_factor * eps;
         let reduction = 0.5
             * (self.adhesion_factor / (1.0 + adhesion * adhesion)
-                + (self.slip_factor * eps).atan() / eps);
+                + libm::atan(self.slip_factor * eps) / eps);
         Secants {
             slide: reduction * kalker,
             spin: reduction * STEEL.shear_modulus * area * area * patch.kalker.c33,
@@ -142,7 +142,7 @@ fn spin_coupling(patch: &ContactPatch, limit: f64, xi: f64, eta_c: f64) -> f64 {
         return 0.0;
     }
     let kalker = STEEL.shear_modulus * b * (a * b).sqrt() * patch.kalker.c23;
-    let shape = 1.0 + 6.3 * (1.0 - (-a / b).exp());
+    let shape = 1.0 + 6.3 * (1.0 - libm::exp(-a / b));
     let eps = 8.0 / 3.0 * kalker * eta_c / (limit * shape);
     let fall = 1.0 + eps * eps;
     a * kalker * (eta_c.abs() / creepage) / (fall * fall)

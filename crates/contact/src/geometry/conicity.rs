@@ -73,7 +73,7 @@ impl EquivalentConicity {
         let mut sum = 0.0;
         for i in 0..INTERVALS {
             // y = A sin t takes the infinity at the turning point out of the integral.
-            let (sine, cosine) = ((i as f64 + 0.5) * FRAC_PI_2 / INTERVALS as f64).sin_cos();
+            let (sine, cosine) = libm::sincos((i as f64 + 0.5) * FRAC_PI_2 / INTERVALS as f64);
             let energy = end - self.integral_to(amplitude * sine);
             if energy <= 0.0 {
                 return None;

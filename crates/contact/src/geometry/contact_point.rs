@@ -37,7 +37,7 @@ pub struct ContactPoint {
 impl ContactPoint {
     /// Contact angle in rad, positive as on a tread.
     pub fn angle(&self) -> f64 {
-        -self.slope.atan()
+        -libm::atan(self.slope)
     }
 
     /// The contact under `normal_force` (N); without load, or with tension, its size is zero.

@@ -140,7 +140,7 @@ impl Search {
     /// R (dR/dy)² yaw²/2 higher than those below the axle; and the whole axle, seen askew, is
     /// shorter by yaw²/2 of its length.
     pub(super) fn rolled(&mut self, outward: f64, roll: f64, yaw: f64) -> Vec<Touch> {
-        let (sine, cosine) = roll.sin_cos();
+        let (sine, cosine) = libm::sincos(roll);
         let (arm, radius) = (self.pair.running_circle(), self.pair.nominal_radius);
         let offset = self.offset + outward;
         let turn = yaw * yaw;
@@ -169,7 +169,7 @@ impl Search {
             let above = touches[i].drop - touches[i - 1].drop;
             // Z/(Z + Z') from the drops, which are -s ln Z; a lobe far above its neighbour takes no part of
             // what that one bears, and is a spring of its own.
-            let ratio = (above / SOFTNESS).exp();
+            let ratio = libm::exp(above / SOFTNESS);
             let own = |above: f64| separation.max(smooth((above - FAR) / FAR));
             let [here, before] = [own(above), own(-above)];
             touches[i].share *= here + (1.0 - here) / (1.0 + ratio);
@@ -203,7 +203,7 @@ impl Search {
             let Some(rail) = rail_at(&self.rail, self.rail_begin, y) else {
                 continue;
             };
-            let weight = (-excess).exp();
+            let weight = libm::exp(-excess);
             sum += weight;
             mean.slope += weight * rail.slope;
             mean.roll += weight * (lateral + point.height * rail.slope);
@@ -211,9 +211,9 @@ impl Search {
             mean.wheel_height += weight * point.height;
             mean.rail_lateral += weight * y;
             let stretch = (1.0 + rail.slope * rail.slope).sqrt();
-            width += stretch * (-excess / stretch).exp();
+            width += stretch * libm::exp(-excess / stretch);
         }
-        mean.drop -= SOFTNESS * (sum * SAMPLE_STEP).ln();
+        mean.drop -= SOFTNESS * libm::log(sum * SAMPLE_STEP);
         mean.slope /= sum;
         mean.roll /= sum;
         mean.wheel_lateral /= sum;
@@ -247,7 +247,7 @@ impl Search {
                 energy += overlap * overlap / (1.0 + rail.slope * rail.slope).sqrt();
             }
         }
-        let root = 16.0 / 15.0 * LOADED.powf(2.5) / (energy * SAMPLE_STEP);
+        let root = 16.0 / 15.0 * libm::pow(LOADED, 2.5) / (energy * SAMPLE_STEP);
         2.0 * root * root
     }
 }

@@ -102,7 +102,7 @@ fn contacts(pair: &ProfilePair, touches: &[Touch]) -> Vec<WheelContact> {
         rail_lateral: touch.rail_lateral,
         wheel_lateral: touch.wheel_lateral,
         radius_change: touch.wheel_height,
-        angle: -touch.slope.atan(),
+        angle: -libm::atan(touch.slope),
         gap: touch.drop - first,
         hertz: touch.hertz(pair.nominal_radius),
     };

@@ -154,7 +154,7 @@ impl PointProfile {
 
     /// The profile leaning by `inclination`, with its highest point as the origin.
     pub(super) fn inclined(&self, inclination: f64) -> Self {
-        let (sine, cosine) = inclination.atan().sin_cos();
+        let (sine, cosine) = libm::sincos(libm::atan(inclination));
         let turn = |&(y, z): &(f64, f64)| (y * cosine + z * sine, z * cosine - y * sine);
         let turned = Self::new(self.name.clone(), self.points.iter().map(turn).collect());
         let top = turned.points.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1));

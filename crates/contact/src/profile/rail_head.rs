@@ -127,9 +127,9 @@ impl Arcs {
     /// The head leaning towards the track's middle by `inclination` (such as 1/40), moved so that
     /// its highest point is the origin again.
     fn inclined(&self, inclination: f64) -> Self {
-        let angle = inclination.atan();
+        let angle = libm::atan(inclination);
         let turn = |(y, z): (f64, f64)| {
-            let (sine, cosine) = angle.sin_cos();
+            let (sine, cosine) = libm::sincos(angle);
             (y * cosine + z * sine, z * cosine - y * sine)
         };
         let turned: Vec<Arc> = self

@@ -27,7 +27,7 @@ use std::sync::Arc;
 
 use interface::Interface;
 use logging::{Category, Logger, Sink};
-use state::{Experiment, Origin};
+use state::{Experiment, Origin, TIME_TOLERANCE};
 
 use crate::calls::{Call, Phase};
 use crate::error::Error;
@@ -281,7 +281,10 @@ impl<M: Model> Instance<M> {
         let origin = Arc::new(Origin { values: self.values.clone(), start_time: self.time });
         let (model, values) = self.build(&origin)?;
         if let Some(stop) = self.experiment.and_then(|experiment| experiment.stop) {
-            model.check_until(stop).map_err(Error::Initialization)?;
+            // Tools announce a little more than they need.
+            model
+                .check_until(stop - 2.0 * TIME_TOLERANCE * stop.abs())
+                .map_err(Error::Initialization)?;
         }
         self.values = values;
         self.check_finite(origin.start_time)?;

@@ -9,6 +9,12 @@ use crate::error::Error;
 use crate::model::Model;
 use crate::variables::{Guid, Values};
 
+/// Relative difference of two times that count as equal: to the greater of time and step.
+///
+/// Masters compute `k·h` in several ways, which differ by some units of the last
+/// digit (1e-16); a step left out at 1 ms is noticed up to 1e6 s.
+pub(super) const TIME_TOLERANCE: f64 = 1e-9;
+
 /// Start and stop time, as `fmi2SetupExperiment` gives them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Experiment {

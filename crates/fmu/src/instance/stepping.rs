@@ -2,15 +2,10 @@
 
 use crate::calls::{Call, Phase};
 use crate::error::Error;
+use crate::instance::state::TIME_TOLERANCE;
 use crate::instance::{Built, Instance};
 use crate::model::{Interval, Model};
 use crate::variables::Kind;
-
-/// Relative difference of two times that count as equal: to the greater of time and step.
-///
-/// Masters compute `k·h` in several ways, which differ by some units of the last
-/// digit (1e-16); a step left out at 1 ms is noticed up to 1e6 s.
-const TIME_TOLERANCE: f64 = 1e-9;
 
 impl<M: Model> Instance<M> {
     /// Takes the model from `start` over `length`, s, with the inputs constant.

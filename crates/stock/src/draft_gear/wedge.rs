@@ -34,7 +34,7 @@ impl Wedge {
         check.between("angle_deg", angle_deg, 1.0, 89.0)?;
         check.between("wedge_friction", wedge_friction, 0.0, 1.0)?;
         check.between("housing_friction", housing_friction, 0.0, 1.0)?;
-        let tan = angle_deg.to_radians().tan();
+        let tan = libm::tan(angle_deg.to_radians());
         let held = housing_friction * (1.0 - wedge_friction * tan) / (tan + wedge_friction);
         if held >= 1.0 {
             let wanted = "the wedge jams: its angle is too small for this friction";

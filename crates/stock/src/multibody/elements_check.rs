@@ -124,7 +124,7 @@ impl Checker<'_> {
         self.ends(check, &wedge.between, &wedge.points_m)?;
         check.between("angle_deg", wedge.angle_deg, 20.0, 70.0)?;
         // Else the wedge locks itself: tan(angle) = friction.
-        let locking = 0.9 * wedge.angle_deg.to_radians().tan();
+        let locking = 0.9 * libm::tan(wedge.angle_deg.to_radians());
         check.between("friction", wedge.friction, 0.01, locking.min(1.0))?;
         check.positive("spring_force_n", wedge.spring_force_n)?;
         check.positive("spring_stiffness_n_m", wedge.spring_stiffness_n_m)?;

@@ -94,8 +94,10 @@ impl Shape {
         match self.form {
             Form::Ramp if share < 1.0 => (share, 1.0),
             Form::Ramp => (1.0, 0.0),
-            Form::Sine if share < 1.0 => (phase.sin(), TAU * self.waves * phase.cos()),
-            Form::Dip if share < 1.0 => (0.5 * (1.0 - phase.cos()), PI * self.waves * phase.sin()),
+            Form::Sine if share < 1.0 => (libm::sin(phase), TAU * self.waves * libm::cos(phase)),
+            Form::Dip if share < 1.0 => {
+                (0.5 * (1.0 - libm::cos(phase)), PI * self.waves * libm::sin(phase))
+            }
             Form::Sine | Form::Dip => (0.0, 0.0),
         }
     }

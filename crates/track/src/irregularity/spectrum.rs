@@ -98,7 +98,7 @@ impl Spectrum {
             let amplitude = (2.0 * density(omega) * band / PI).sqrt();
             let phase = TAU * random.unit();
             for (i, value) in values.iter_mut().enumerate() {
-                *value += amplitude * (omega * i as f64 * DISTANCE + phase).cos();
+                *value += amplitude * libm::cos(omega * i as f64 * DISTANCE + phase);
             }
         }
         values
@@ -108,7 +108,7 @@ impl Spectrum {
     fn fading(&self, from_begin: f64) -> f64 {
         let from_end = from_begin.min(self.length - from_begin);
         let share = (from_end / FADING).clamp(0.0, 1.0);
-        0.5 * (1.0 - (PI * share).cos())
+        0.5 * (1.0 - libm::cos(PI * share))
     }
 }
 

@@ -13,7 +13,7 @@ pub struct Wind {
 impl Wind {
     /// Its part against a heading, rad, from the beginning of the track, m/s.
     pub fn against(&self, heading: f64) -> f64 {
-        self.speed * (self.direction - heading).cos()
+        self.speed * libm::cos(self.direction - heading)
     }
 }
 

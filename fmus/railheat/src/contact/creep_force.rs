@@ -36,7 +36,7 @@ pub fn creep_force(contact: &Contact, creepage: f64, friction: f64) -> f64 {
     let limit = friction * normal_force;
     let stiffness = SHEAR_MODULUS * a * b * kalker_c11(a / b);
     let e = PI * stiffness * creepage.abs() / (4.0 * limit);
-    2.0 / PI * limit * (e / (1.0 + e * e) + e.atan())
+    2.0 / PI * limit * (e / (1.0 + e * e) + libm::atan(e))
 }
 
 /// Kalker's coefficient C₁₁ for ν = 0.28 at a ratio a/b of the semi-axes.

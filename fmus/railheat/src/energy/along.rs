@@ -124,7 +124,7 @@ fn grow(elements: &mut Elements, modes: &Modes, number: f64) {
     // Share of a step's heat from one element to the next: the root of the difference equation.
     let s = GAMMA * number;
     let share = (1.0 + 2.0 * s - (1.0 + 4.0 * s).sqrt()) / (2.0 * s);
-    let reach = (SHARE_BEYOND.ln() / share.ln()).ceil().max(1.0) as usize;
+    let reach = (libm::log(SHARE_BEYOND) / libm::log(share)).ceil().max(1.0) as usize;
     let count = elements.count();
     let warm = |elements: &Elements, e: usize| {
         elements.is_touched(e) && dot(&modes.content, elements.amplitudes(e)).abs() > LEAST_HEAT

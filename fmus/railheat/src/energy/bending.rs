@@ -62,7 +62,7 @@ impl Beam {
         let near = loads.into_iter().filter(|(_, distance)| distance.abs() <= reach);
         let of_load = |(load, distance): (f64, f64)| {
             let x = decay * distance.abs();
-            load * (-x).exp() * (x.cos() - x.sin())
+            load * libm::exp(-x) * (libm::cos(x) - libm::sin(x))
         };
         near.map(of_load).sum::<f64>() / (4.0 * decay)
     }

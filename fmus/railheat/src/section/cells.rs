@@ -148,7 +148,7 @@ impl Part {
         let lies = |a: f64, b: f64, at: f64| (a - at).abs() + (b - at).abs() < SAME_POSITION;
         for (a, b) in sides(&clip(outline.points(), &rectangle)) {
             part.area += (a.y * b.z - b.y * a.z) / 2.0;
-            if (b.y - a.y).hypot(b.z - a.z) < SAME_POSITION {
+            if libm::hypot(b.y - a.y, b.z - a.z) < SAME_POSITION {
                 continue;
             }
             let foot = lies(a.z, b.z, height);
@@ -277,7 +277,7 @@ impl Grid {
 
 fn facet(cell: usize, ends: [Point; 2]) -> Facet {
     let [a, b] = ends;
-    let length = (b.y - a.y).hypot(b.z - a.z);
+    let length = libm::hypot(b.y - a.y, b.z - a.z);
     let normal = Point { y: (b.z - a.z) / length, z: -(b.y - a.y) / length };
     Facet { cell, ends, length, normal }
 }

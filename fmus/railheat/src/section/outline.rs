@@ -96,7 +96,7 @@ impl Outline {
             area += cross / 2.0;
             first += cross * (from.z + to.z) / 6.0;
             second += cross * (from.z * from.z + from.z * to.z + to.z * to.z) / 12.0;
-            perimeter += (to.y - from.y).hypot(to.z - from.z);
+            perimeter += libm::hypot(to.y - from.y, to.z - from.z);
         }
         let centroid = first / area;
         let second_moment = second - area * centroid * centroid;
@@ -113,29 +113,29 @@ pub(crate) fn sides(points: &[Point]) -> impl Iterator<Item = (Point, Point)> + 
 fn fillet(before: Point, corner: Corner, after: Point) -> Option<Vec<Point>> {
     let Corner { point, radius } = corner;
     let unit = |to: Point| {
-        let length = (to.y - point.y).hypot(to.z - point.z);
+        let length = libm::hypot(to.y - point.y, to.z - point.z);
         ((to.y - point.y) / length, (to.z - point.z) / length, length)
     };
     let (uy, uz, to_before) = unit(before);
     let (vy, vz, to_after) = unit(after);
-    let half_angle = 0.5 * (uy * vy + uz * vz).clamp(-1.0, 1.0).acos();
-    let tangent = radius / half_angle.tan();
+    let half_angle = 0.5 * libm::acos((uy * vy + uz * vz).clamp(-1.0, 1.0));
+    let tangent = radius / libm::tan(half_angle);
     if tangent > to_before.min(to_after) {
         return None;
     }
-    let bisector = (uy + vy).hypot(uz + vz);
-    let distance = radius / half_angle.sin();
+    let bisector = libm::hypot(uy + vy, uz + vz);
+    let distance = radius / libm::sin(half_angle);
     let centre = Point {
         y: point.y + (uy + vy) / bisector * distance,
         z: point.z + (uz + vz) / bisector * distance,
     };
-    let angle = |y: f64, z: f64| (z - centre.z).atan2(y - centre.y);
+    let angle = |y: f64, z: f64| libm::atan2(z - centre.z, y - centre.y);
     let begin = angle(point.y + uy * tangent, point.z + uz * tangent);
     let end = angle(point.y + vy * tangent, point.z + vz * tangent);
     let turn = (end - begin + PI).rem_euclid(2.0 * PI) - PI;
     let on_arc = |chord: usize| {
         let at = begin + turn * chord as f64 / CHORDS as f64;
-        Point { y: centre.y + radius * at.cos(), z: centre.z + radius * at.sin() }
+        Point { y: centre.y + radius * libm::cos(at), z: centre.z + radius * libm::sin(at) }
     };
     Some((0..=CHORDS).map(on_arc).collect())
 }

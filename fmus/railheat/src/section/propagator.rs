@@ -53,10 +53,10 @@ impl Propagator {
             let (gain, rest) = if x < 1e-3 {
                 (1.0 - x / 2.0 + x * x / 6.0, 0.5 - x / 6.0 + x * x / 24.0)
             } else {
-                let gain = -(-x).exp_m1() / x;
+                let gain = -libm::expm1(-x) / x;
                 (gain, (1.0 - gain) / x)
             };
-            self.decay[k] = (-x).exp();
+            self.decay[k] = libm::exp(-x);
             self.gain[k] = gain;
             self.lost[k] = modes.loss[k] * gain * time;
             self.lost_at_once[k] = modes.loss[k] * rest * time;

@@ -55,7 +55,7 @@ impl Facet {
         let (dy, dz) = (b.y - a.y, b.z - a.z);
         let along = ((point.y - a.y) * dy + (point.z - a.z) * dz) / (self.length * self.length);
         let along = along.clamp(0.0, 1.0);
-        (a.y + along * dy - point.y).hypot(a.z + along * dz - point.z)
+        libm::hypot(a.y + along * dy - point.y, a.z + along * dz - point.z)
     }
 }
 

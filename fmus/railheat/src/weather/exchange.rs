@@ -49,7 +49,7 @@ impl Exchange {
     /// Heat transfer coefficient to the air in a wind in m/s, W/(m²·K).
     pub fn coefficient(&self, wind: f64) -> f64 {
         let wind = wind.abs();
-        self.convection + if wind <= 5.0 { 4.0 * wind } else { 7.2 * wind.powf(0.78) - 5.6 }
+        self.convection + if wind <= 5.0 { 4.0 * wind } else { 7.2 * libm::pow(wind, 0.78) - 5.6 }
     }
 
     /// Conductance of radiation around a temperature in K, W/(m²·K).
@@ -59,7 +59,7 @@ impl Exchange {
 
     /// Temperature of the sky, K.
     fn sky(&self, ambient: f64) -> f64 {
-        if self.cold_sky { 0.0552 * ambient.powf(1.5) } else { ambient }
+        if self.cold_sky { 0.0552 * libm::pow(ambient, 1.5) } else { ambient }
     }
 }
 

@@ -20,8 +20,8 @@ pub struct Sun {
 impl Sun {
     /// Components of the direction to the sun: to the right of a track, along it, upwards.
     pub(crate) fn direction(&self, track_azimuth: f64) -> [f64; 3] {
-        let (side, along) = (self.azimuth - track_azimuth).sin_cos();
-        let (up, level) = self.elevation.sin_cos();
+        let (side, along) = libm::sincos(self.azimuth - track_azimuth);
+        let (up, level) = libm::sincos(self.elevation);
         [level * side, level * along, up]
     }
 

@@ -99,7 +99,7 @@ impl Suspension {
             let points = self.points(bodies, &wedge.between, &wedge.points_m);
             self.wedges.extend(points.into_iter().map(|at| Wedge {
                 at,
-                slope: wedge.angle_deg.to_radians().tan(),
+                slope: libm::tan(wedge.angle_deg.to_radians()),
                 friction: wedge.friction,
                 spring_force: wedge.spring_force_n,
                 spring_stiffness: wedge.spring_stiffness_n_m,

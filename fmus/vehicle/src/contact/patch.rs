@@ -64,6 +64,6 @@ impl Patch {
 
     /// Contact angle, rad, positive as on a tread.
     pub fn angle(&self) -> f64 {
-        -self.slope.atan()
+        -libm::atan(self.slope)
     }
 }

@@ -93,8 +93,8 @@ impl Dynamics {
 
     /// Damps all velocities against the track.
     fn brake_motion(&mut self, speed: f64, step: f64) {
-        let lost = 1.0 - (-SETTLING_DAMPING * step).exp();
-        let lost_upright = 1.0 - (-UPRIGHT_DAMPING * step).exp();
+        let lost = 1.0 - libm::exp(-SETTLING_DAMPING * step);
+        let lost_upright = 1.0 - libm::exp(-UPRIGHT_DAMPING * step);
         let bodies = self.structure.bodies.iter().zip(&self.scratch.frames);
         for (state, (body, frame)) in self.state.bodies.iter_mut().zip(bodies) {
             let mut rates = state.rates(body, frame);

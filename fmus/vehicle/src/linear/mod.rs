@@ -35,7 +35,7 @@ pub(crate) fn highest_frequency(structure: &Structure) -> f64 {
     let mut system = System::new(structure, Surfaces::Stick);
     for data in &structure.wheelsets {
         let (stiffness, load) = CONTACT_STIFFNESS;
-        let both = 2.0 * stiffness * (data.static_wheel_load / load).cbrt();
+        let both = 2.0 * stiffness * libm::cbrt(data.static_wheel_load / load);
         let at = system::COORDINATES * data.body;
         let half = data.wheel.half_distance;
         system.stiffness[(at + 2, at + 2)] += both;

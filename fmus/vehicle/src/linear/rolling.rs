@@ -64,7 +64,7 @@ impl Rolling {
         let unit = UnitContact::new(0.5 / radius, 0.5 / self.rail_radius, &STEEL);
         let (a, b) = (unit.semi_axis_rolling, unit.semi_axis_lateral);
         let kalker = CreepCoefficients::new(a / b, STEEL.poisson_ratio);
-        let area = a * b * load.powf(2.0 / 3.0);
+        let area = a * b * libm::pow(load, 2.0 / 3.0);
         [kalker.c11, kalker.c22].map(|c| STEEL.shear_modulus * area * c)
     }
 

@@ -38,7 +38,7 @@ impl System {
             let norm = power.norm();
             power /= norm;
             before = last;
-            last = 2.0 * last + norm.ln();
+            last = 2.0 * last + libm::log(norm);
         }
         let time = STEP * f64::from(1 << (SQUARINGS - 1));
         let start = DVector::from_fn(once.nrows(), |i, _| 1.0 + (i % 7) as f64);

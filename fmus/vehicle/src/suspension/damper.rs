@@ -26,7 +26,7 @@ pub struct Damper {
 impl Damper {
     /// The factor exp(-k h/c) of a step h; zero for a rigid damper.
     pub fn decay(&self, step: f64) -> f64 {
-        (-self.series_stiffness * step / self.damping).exp()
+        libm::exp(-self.series_stiffness * step / self.damping)
     }
 
     /// Brings the damper's `force` on the second body to the end of the step and adds it.

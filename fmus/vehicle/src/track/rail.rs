@@ -123,9 +123,9 @@ fn contact_stiffness(wheel: &WheelOutput) -> f64 {
 
 /// Creep force over slip velocity.
 fn creep_slope(wheel: &WheelOutput, speed: f64) -> f64 {
-    let creepage = wheel.total.creepages.longitudinal.hypot(wheel.total.creepages.lateral);
+    let creepage = libm::hypot(wheel.total.creepages.longitudinal, wheel.total.creepages.lateral);
     let slip = (creepage * speed.abs()).max(LEAST_SLIP);
-    wheel.total.force.longitudinal.hypot(wheel.total.force.lateral) / slip
+    libm::hypot(wheel.total.force.longitudinal, wheel.total.force.lateral) / slip
 }
 
 #[cfg(test)]

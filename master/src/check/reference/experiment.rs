@@ -54,15 +54,18 @@ impl Experiment {
     }
 
     /// The experiment that made a result, from its rows: its outputs at its times, with a step that
-    /// divides the time between two rows.
+    /// divides the time between two rows. An FMU that ends itself has its last row before its time.
     pub fn of_result(names: &[String], times: &[f64], default_step: Option<f64>) -> Option<Self> {
-        let (first, last) = (times.first()?, times.last()?);
-        let rows = times.len() as f64 - 1.0;
-        let interval = (last - first) / rows;
+        let (first, second, last) = (times.first()?, times.get(1)?, times.last()?);
+        let (rows, length) = (times.len() as f64 - 1.0, last - first);
+        let (even, first_interval) = (length / rows, second - first);
+        let is_even = (even - first_interval).abs() <= 1e-6 * even;
+        let interval = if is_even { even } else { first_interval };
+        let stop = if is_even { *last } else { first + interval * (length / interval).ceil() };
         let step = default_step.filter(|step| *step > 0.0 && *step <= interval).unwrap_or(interval);
         let record_every = (interval / step).round().max(1.0);
         (interval > 0.0).then(|| Self {
-            stop_time_s: *last,
+            stop_time_s: stop,
             step_s: interval / record_every,
             record_every: record_every as u64,
             relative_tolerance: DEFAULT_TOLERANCE,
@@ -132,6 +135,8 @@ mod tests {
             "one that does not is rounded to the next that does"
         );
         assert_eq!(steps(Some(0.5)), (300, 1), "a longer one than the interval is not used");
+        let ended = Experiment::of_result(&names, &[0.0, 0.1, 0.2, 0.25], None).unwrap();
+        assert_eq!(ended.steps(), 3, "in the third step it ended itself");
         assert_eq!(Experiment::of_result(&names, &[0.0], None), None, "one row has no interval");
         assert_eq!(Experiment::of_result(&names, &[], None), None);
     }

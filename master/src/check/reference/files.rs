@@ -9,7 +9,7 @@ use super::table::Table;
 use super::{ReferenceError, run};
 use crate::files::archive;
 use crate::files::file_error::FileError;
-use crate::fmi::Import;
+use crate::fmi::{Import, read_interface};
 
 /// Folder inside of an FMU.
 const FOLDER: &str = "extra/org.fmi-standard.fmi-ls-ref";
@@ -31,6 +31,8 @@ pub struct Reference {
     pub inputs: Table,
     /// The outputs over time.
     pub result: Table,
+    /// Signals of the result that the FMU does not have, as where it is of another version of FMI.
+    pub left_out: Vec<String>,
 }
 
 impl Reference {
@@ -54,28 +56,22 @@ impl Reference {
             Some(files.join(Path::new(found.attribute("source")?).file_name()?))
         };
         let result = file("result").ok_or_else(|| ReferenceError::None(fmu.to_owned()))?;
-        let result = Table::read(&result)?;
-        let inputs =
-            file("input").map_or_else(|| Ok(Table::default()), |file| Table::read(&file))?;
-        let experiment = match file("experiment") {
-            Some(file) => Experiment::read(&file)?,
-            None => {
-                Experiment::of_result(&result.names, &result.times, default_step(folder.path()))
-                    .ok_or_else(|| {
-                        ReferenceError::content(fmu, "the result has fewer than two rows")
-                    })?
-            }
-        };
-        Ok(Self { experiment, inputs, result })
+        let interface = read_interface(folder.path(), &fmu.display().to_string())?;
+        let mut result = Table::read(&result, &interface)?;
+        let inputs = file("input")
+            .map_or_else(|| Ok(Table::default()), |file| Table::read(&file, &interface))?;
+        if let Some(file) = file("experiment") {
+            let experiment = Experiment::read(&file)?;
+            return Ok(Self { experiment, inputs, result, left_out: vec![] });
+        }
+        let known = |name: &str| interface.variable(name).is_some();
+        let left_out = result.names().into_iter().filter(|name| !known(name)).collect();
+        result.retain(|signal| known(&signal.name));
+        let experiment =
+            Experiment::of_result(&result.names(), &result.times, interface.experiment.step);
+        let too_short = || ReferenceError::content(fmu, "the result has fewer than two rows");
+        Ok(Self { experiment: experiment.ok_or_else(too_short)?, inputs, result, left_out })
     }
-}
-
-/// The step size of the default experiment.
-fn default_step(fmu: &Path) -> Option<f64> {
-    let text = std::fs::read_to_string(fmu.join("modelDescription.xml")).ok()?;
-    let document = Document::parse(&text).ok()?;
-    let experiment = document.descendants().find(|node| node.has_tag_name("DefaultExperiment"))?;
-    experiment.attribute("stepSize")?.parse().ok()
 }
 
 /// Runs an FMU that was packed and adds the result to it; `folder` has the experiment and the
@@ -85,8 +81,8 @@ fn default_step(fmu: &Path) -> Option<f64> {
 /// When a file is missing or wrong, or the FMU fails.
 pub fn pack(fmu: &Path, folder: &Path) -> Result<(), ReferenceError> {
     let experiment = Experiment::read(&folder.join(EXPERIMENT))?;
-    let inputs = Table::read(&folder.join(INPUTS))?;
     let import = Import::open(fmu)?;
+    let inputs = Table::read(&folder.join(INPUTS), import.interface())?;
     let result = run::run(&import, &experiment, &inputs)?;
 
     let content = tempfile::tempdir().map_err(FileError::at(fmu))?;

@@ -46,7 +46,7 @@ pub enum ReferenceError {
         problem: String,
     },
     /// The FMU has no such variable.
-    #[error("{file}: the FMU has no Real {causality} `{name}`")]
+    #[error("{file}: the FMU has no {causality} `{name}`")]
     Variable {
         /// FMU.
         file: String,

@@ -37,7 +37,7 @@ use crate::system::step::System;
 use crate::system::times::Stopwatch;
 
 /// Name of the folder in that of the results.
-const FOLDER: &str = "checkpoint";
+pub const FOLDER: &str = "checkpoint";
 
 /// How many are kept: where the last one is damaged, the one before is taken.
 const KEPT: usize = 2;
@@ -93,15 +93,12 @@ pub fn tape_file(results: &Path, number: usize) -> PathBuf {
     results.join(FOLDER).join(format!("tape-{number}"))
 }
 
-/// Begins the checkpoints of a new run as `order` says; those of an earlier run there go.
+/// Begins the checkpoints of a new run as `order` says.
 ///
 /// # Errors
 /// When the folder cannot be written.
 pub fn begin(order: &Order) -> Result<Beginning, CheckpointError> {
     let folder = order.results.join(FOLDER);
-    if folder.exists() {
-        fs::remove_dir_all(&folder).map_err(FileError::at(&folder))?;
-    }
     let Some(interval) = order.times.checkpoint else { return Ok(Beginning::default()) };
     fs::create_dir_all(&folder).map_err(FileError::at(&folder))?;
     order.write(&folder.join(order::NAME))?;

@@ -9,7 +9,9 @@ use super::error::CheckpointError;
 use super::file::write_whole;
 use crate::files::file_error::{FileError, read_toml};
 use crate::run::manifest::sha256;
+use crate::run::options::Options;
 use crate::scenario::Times;
+use crate::system::checks::Checks;
 
 /// Name of the file in the folder of the checkpoints.
 pub const NAME: &str = "run.toml";
@@ -25,9 +27,15 @@ pub struct Order {
     /// Folder of the results, absolute.
     pub results: PathBuf,
     /// Folder of Hotfoot's own FMUs.
-    pub fmus: PathBuf,
+    fmus: PathBuf,
     /// What is run.
     pub subject: Subject,
+    /// Relative tolerance that the FMUs are told instead of their own.
+    tolerance: Option<f64>,
+    /// What becomes of values that cannot be.
+    checks: Option<Checks>,
+    /// Whether FMUs have a thread of their own.
+    same_thread: bool,
     /// Times of the command line, and how often a checkpoint is written.
     pub times: Times,
     input: Vec<Input>,
@@ -61,24 +69,28 @@ impl Subject {
 }
 
 impl Order {
-    /// An order to run this into a folder, with Hotfoot's own FMUs in another.
+    /// An order to run this into a folder, as the options of the command line say.
     ///
-    /// `files` are those that the run is made of; `times` those of the command line.
+    /// `files` are those that the run is made of.
     ///
     /// # Errors
     /// When one of them cannot be read.
     pub fn new(
         subject: &Subject,
-        times: Times,
-        (results, fmus): (&Path, &Path),
+        options: &Options,
+        results: &Path,
         files: Vec<PathBuf>,
     ) -> Result<Self, FileError> {
+        let Options { fmus, times, tolerance, checks, same_thread, .. } = options;
         let mut order = Self {
             hotfoot: PROGRAM.to_owned(),
             results: results.to_owned(),
             fmus: std::path::absolute(fmus).map_err(FileError::at(fmus))?,
             subject: subject.clone(),
-            times,
+            tolerance: *tolerance,
+            checks: *checks,
+            same_thread: *same_thread,
+            times: *times,
             input: vec![],
         };
         if times.checkpoint.is_some() {
@@ -86,6 +98,19 @@ impl Order {
             order.input = files.into_iter().map(input).collect::<Result<_, FileError>>()?;
         }
         Ok(order)
+    }
+
+    /// The options as they were ordered, with the threads of others, which change nothing of the results.
+    pub fn options(&self, others: &Options) -> Options {
+        Options {
+            threads: others.threads,
+            fmus: self.fmus.clone(),
+            times: self.times,
+            tolerance: self.tolerance,
+            checks: self.checks,
+            same_thread: self.same_thread,
+            quiet: others.quiet,
+        }
     }
 
     /// Writes it.

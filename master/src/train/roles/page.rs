@@ -30,7 +30,7 @@ pub fn page() -> String {
          |---|---|---|---|---|---|\n",
     );
     for (role, causality, prefix, variables) in SECTIONS {
-        for RoleVariable { name, unit, required, sampling } in variables {
+        for RoleVariable { name, unit, required, sampling, .. } in variables {
             let needed = if *required { "required" } else { "optional" };
             let between = match sampling {
                 _ if causality != "input" => "",

@@ -24,6 +24,26 @@ const fn optional(name: &'static str, unit: SignalUnit) -> RoleVariable {
     RoleVariable::new(name, unit, false)
 }
 
+/// A chainage: in all of a railway, and no faster than any train.
+const fn chainage(variable: RoleVariable) -> RoleVariable {
+    variable.within(-1e8, 1e8).slower_than(300.0)
+}
+
+/// A speed: of any train, and no faster changed than by 20 g, in which couplers break.
+const fn speed(variable: RoleVariable) -> RoleVariable {
+    variable.within(-200.0, 200.0).slower_than(200.0)
+}
+
+/// A force: ten times what the heaviest trains have at a coupler, N.
+const fn force(variable: RoleVariable) -> RoleVariable {
+    variable.within(-1e8, 1e8)
+}
+
+/// A power that is lost to friction: never won, and a hundred times that of a locomotive at one wheel, W.
+const fn lost(variable: RoleVariable) -> RoleVariable {
+    variable.within(0.0, 1e8)
+}
+
 /// The names of the two sides of the track, seen in the running direction.
 pub const SIDES: [&str; 2] = ["left", "right"];
 
@@ -35,14 +55,14 @@ pub const START: &[RoleVariable] =
 /// resistance is negative when moving forward, negative traction is the dynamic brake;
 /// `wheel.brake_power` is the heat of the friction brake into each wheel.
 pub const TRAIN_OUTPUT: &[RoleVariable] = &[
-    required("position", METRE),
-    required("velocity", METRE_PER_SECOND),
-    required("coupler.front.force", NEWTON),
-    required("coupler.rear.force", NEWTON),
-    optional("resistance.force", NEWTON),
-    optional("traction.force", NEWTON),
-    optional("brake.force", NEWTON),
-    optional("wheel.brake_power", WATT),
+    chainage(required("position", METRE)),
+    speed(required("velocity", METRE_PER_SECOND)),
+    force(required("coupler.front.force", NEWTON)),
+    force(required("coupler.rear.force", NEWTON)),
+    force(optional("resistance.force", NEWTON)),
+    force(optional("traction.force", NEWTON)),
+    force(optional("brake.force", NEWTON)),
+    lost(optional("wheel.brake_power", WATT)),
 ];
 
 /// What a vehicle takes.
@@ -57,26 +77,26 @@ pub const VEHICLE_INPUT: &[RoleVariable] = &[
 
 /// What a vehicle gives; its position is the chainage of its middle.
 pub const VEHICLE_OUTPUT: &[RoleVariable] = &[
-    required("position", METRE),
-    required("velocity", METRE_PER_SECOND),
-    optional("acceleration", METRE_PER_SECOND_SQUARED),
+    chainage(required("position", METRE)),
+    speed(required("velocity", METRE_PER_SECOND)),
+    optional("acceleration", METRE_PER_SECOND_SQUARED).within(-1e4, 1e4),
 ];
 
 /// What a vehicle gives of each wheelset, `wheelset[j].…`.
-pub const WHEELSET: &[RoleVariable] = &[optional("position", METRE)];
+pub const WHEELSET: &[RoleVariable] = &[chainage(optional("position", METRE))];
 
 /// What a vehicle gives of each wheel, `wheelset[j].left.…`.
 pub const WHEEL: &[RoleVariable] = &[
     optional("creepage.longitudinal", ONE),
     optional("creepage.lateral", ONE),
     optional("creepage.spin", PER_METRE),
-    optional("force.longitudinal", NEWTON),
-    optional("force.lateral", NEWTON),
-    optional("force.normal", NEWTON),
-    optional("friction_power", WATT),
-    optional("contact.a", METRE),
-    optional("contact.b", METRE),
-    optional("contact.lateral_position", METRE),
+    force(optional("force.longitudinal", NEWTON)),
+    force(optional("force.lateral", NEWTON)),
+    optional("force.normal", NEWTON).within(0.0, 1e8),
+    lost(optional("friction_power", WATT)),
+    optional("contact.a", METRE).within(0.0, 1.0),
+    optional("contact.b", METRE).within(0.0, 1.0),
+    optional("contact.lateral_position", METRE).within(-10.0, 10.0),
 ];
 
 /// What a rail takes of each wheelset, `vehicle[i].wheelset[j].…`. A rail that steps less often gets

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::interface::range::Range;
 use crate::interface::si::{Linear, SignalUnit};
 use crate::interface::{Interface, Variable, VariableType};
 use crate::system::structure::Sampling;
@@ -20,12 +21,29 @@ pub struct RoleVariable {
     pub required: bool,
     /// What a receiver gets that steps less often than the exchange.
     pub sampling: Sampling,
+    /// What it can be: far more than any train has, and less than an FMU that has lost its way gives.
+    pub range: Range,
+    /// The fastest that it can change, a second; none: at any rate.
+    pub most_per_second: Option<f64>,
 }
 
 impl RoleVariable {
     /// A variable of which a slower receiver gets means.
     pub const fn new(name: &'static str, unit: SignalUnit, required: bool) -> Self {
-        Self { name, unit, required, sampling: Sampling::Mean }
+        let (sampling, range) = (Sampling::Mean, Range::FINITE);
+        Self { name, unit, required, sampling, range, most_per_second: None }
+    }
+
+    /// The same variable, which cannot be less than `min` nor more than `max`.
+    #[must_use]
+    pub const fn within(self, min: f64, max: f64) -> Self {
+        Self { range: Range { min, max }, ..self }
+    }
+
+    /// The same variable, which cannot change faster.
+    #[must_use]
+    pub const fn slower_than(self, most_per_second: f64) -> Self {
+        Self { most_per_second: Some(most_per_second), ..self }
     }
 
     /// The same variable, of which a slower receiver gets the last value.

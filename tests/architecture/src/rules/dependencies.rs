@@ -7,7 +7,7 @@ use crate::breach::Breach;
 use crate::workspace::{Package, Workspace};
 
 /// Packages that compute: they know nothing of results, threads and terminals.
-const PHYSICS: &[&str] = &[
+pub const PHYSICS: &[&str] = &[
     "crates/numerics",
     "crates/track",
     "crates/contact",

@@ -4,6 +4,7 @@ mod boundary;
 mod circles;
 mod constants;
 mod dependencies;
+mod elementary;
 mod equations;
 mod first_lines;
 mod map;
@@ -70,6 +71,11 @@ pub const RULES: &[Rule] = &[
         name: "constants",
         sentence: "A constant of nature stands in one file of the sources.",
         breaches: constants::breaches,
+    },
+    Rule {
+        name: "elementary",
+        sentence: "Elementary functions of the models give the same bits on every processor.",
+        breaches: elementary::breaches,
     },
     Rule {
         name: "equations",

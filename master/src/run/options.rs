@@ -1,0 +1,25 @@
+//! How a scenario or a package is run.
+
+use std::path::PathBuf;
+
+use crate::scenario::Times;
+use crate::system::checks::Checks;
+
+/// How a scenario or a package is run.
+#[derive(Debug, Clone, Default)]
+pub struct Options {
+    /// Threads for the units; none: all cores.
+    pub threads: Option<usize>,
+    /// Folder of Hotfoot's own FMUs.
+    pub fmus: PathBuf,
+    /// Times instead of the scenario's or the package's.
+    pub times: Times,
+    /// Relative tolerance that the FMUs are told instead of their own.
+    pub tolerance: Option<f64>,
+    /// What becomes of values that cannot be, in place of what the scenario says.
+    pub checks: Option<Checks>,
+    /// Whether every FMU of a package, and every one that a scenario names, has a thread of its own.
+    pub same_thread: bool,
+    /// No progress bar.
+    pub quiet: bool,
+}
