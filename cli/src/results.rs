@@ -4,10 +4,9 @@ use std::path::Path;
 
 use anyhow::{Result, bail, ensure};
 use hotfoot::report;
-use hotfoot::run::expected;
 use hotfoot::run::folder::claim::{Owner, owner, release};
 use hotfoot::run::folder::complete::{complete, is_complete};
-use hotfoot::run::manifest::{End, Ended};
+use hotfoot::run::{End, Ended, expected};
 
 use crate::output::{print, tell};
 use crate::supervise::temporary;

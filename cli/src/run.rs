@@ -6,8 +6,7 @@ use anyhow::{Result, anyhow};
 use clap::{Args, ValueEnum};
 use hotfoot::run::folder::claim::Claim;
 use hotfoot::run::folder::complete::complete;
-use hotfoot::run::manifest::{self, Ended};
-use hotfoot::run::{self, Options};
+use hotfoot::run::{self, Ended, Options};
 use hotfoot::scenario::Times;
 use tools::number::{count, positive};
 
@@ -155,8 +154,7 @@ fn complete_results(claim: Claim, blame: &Blame, records: u64) -> Result<u8> {
     if *at_once && records > 0 {
         return answer(format!("{sentence}; `hotfoot report {folder}` completes its results"));
     }
-    let end =
-        if interrupted.is_some() { manifest::End::Interrupted } else { manifest::End::Failed };
+    let end = if interrupted.is_some() { run::End::Interrupted } else { run::End::Failed };
     let completed = match records {
         0 if !claim.goes_on() => Ok(None),
         _ => complete(claim.folder(), Ended::because(end, sentence)),

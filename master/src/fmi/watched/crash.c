@@ -17,6 +17,7 @@ void hotfoot_watch_thread(uint32_t number, const uint64_t *calls) {
     (void)number;
     (void)calls;
 }
+void hotfoot_expect_exit(void) {}
 
 #else
 
@@ -86,9 +87,14 @@ static void handle(int number, siginfo_t *info, void *context) {
     raise(number);
 }
 
+/* Whether the program itself is about to end. */
+static int exit_is_expected;
+
+void hotfoot_expect_exit(void) { exit_is_expected = 1; }
+
 /* exit() calls this in the thread that has called exit(). */
 static void at_exit(void) {
-    if (caller() != 0) {
+    if (!exit_is_expected && caller() != 0) {
         note(EXIT);
     }
 }

@@ -7,6 +7,7 @@ unsafe extern "C" {
     /// These are defined in `crash.c`.
     fn hotfoot_watch_crashes(record: *const Record);
     fn hotfoot_watch_thread(thread: u32, counter: *const AtomicU64);
+    fn hotfoot_expect_exit();
 }
 
 /// Bytes that are kept of a library's path.
@@ -85,6 +86,12 @@ pub(super) fn watch(record: &'static Record) {
     // SAFETY: it sets handlers that call nothing but what handlers may call, and the record lives as
     // long as the process.
     unsafe { hotfoot_watch_crashes(record) };
+}
+
+/// Notes that the program ends now by itself.
+pub(super) fn expect_exit() {
+    // SAFETY: it only sets a flag of `crash.c`.
+    unsafe { hotfoot_expect_exit() };
 }
 
 /// Lets the handlers know the number of this thread and its counter of calls.
