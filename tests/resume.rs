@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Output;
 
 use hotfoot_tests::hostile::{Claims, hostile_vehicle};
-use hotfoot_tests::killed::{contents, kill_at};
+use hotfoot_tests::killed::{contents, interrupt_at, kill_at};
 use hotfoot_tests::{SmallScenario, hotfoot};
 
 /// Weather of a file, which lies in the FMU's resources while the run goes on.
@@ -81,6 +81,27 @@ fn property_a_killed_run_goes_on_byte_for_byte() {
         kill_at(folder, &ordered("scenario.toml", results, "0.4"), results, number);
         let said = resume(folder, results, threads);
         assert!(said.contains(from), "{from} in {said}");
+        assert_same(folder, results);
+    }
+}
+
+/// In the run, and in what follows it: stopped by Ctrl-C, a run writes a checkpoint of its own at the step that
+/// it has come to, and keeps it though its results are complete; from there it goes on.
+#[test]
+fn property_an_interrupted_run_goes_on_byte_for_byte() {
+    let scenario = heating();
+    let folder = scenario.folder.path();
+    unbroken(folder, "scenario.toml");
+    for (results, number, threads) in [("run", 2, "1"), ("alone", 9, "2"), ("train", 21, "2")] {
+        let code =
+            interrupt_at(folder, &ordered("scenario.toml", results, "0.4"), results, number);
+        assert_eq!(code, Some(130));
+        let manifest = fs::read_to_string(folder.join(results).join("manifest.toml")).unwrap();
+        assert!(manifest.contains("end = \"interrupted\""), "{manifest}");
+        let stopped = manifest.split_once("SIGINT) at ").unwrap().1;
+        let stopped = stopped.split_once(" s").unwrap().0;
+        let said = resume(folder, results, threads);
+        assert!(said.contains(&format!("goes on from {stopped} s")), "{stopped} in {said}");
         assert_same(folder, results);
     }
 }

@@ -12,6 +12,27 @@ use std::time::Duration;
 /// # Panics
 /// When the run ends before.
 pub fn kill_at(folder: &Path, arguments: &[&str], results: &str, number: u64) {
+    kill(&mut run_until(folder, arguments, results, number));
+}
+
+/// Runs the program and lets it stop by Ctrl-C (SIGINT) at such a checkpoint; gives its exit code.
+///
+/// # Panics
+/// When the run ends before.
+pub fn interrupt_at(
+    folder: &Path,
+    arguments: &[&str],
+    results: &str,
+    number: u64,
+) -> Option<i32> {
+    let run = run_until(folder, arguments, results, number);
+    let status = Command::new("kill").args(["-INT", &run.id().to_string()]).status();
+    assert!(status.expect("a program `kill`").success());
+    run.wait_with_output().expect("it is our child").status.code()
+}
+
+/// Starts the program and waits for the checkpoint.
+fn run_until(folder: &Path, arguments: &[&str], results: &str, number: u64) -> Child {
     let mut command = crate::command(folder, arguments);
     let run = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
     let mut run = run.expect("the program is there");
@@ -23,7 +44,7 @@ pub fn kill_at(folder: &Path, arguments: &[&str], results: &str, number: u64) {
         }
         thread::sleep(Duration::from_millis(1));
     }
-    kill(&mut run);
+    run
 }
 
 /// Number of the newest checkpoint, or 0 where there is only the order to run.
