@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use serde::{Deserialize, Serialize};
+
 use super::binding::OK;
 use crate::system::clock::shown;
 
@@ -38,7 +40,14 @@ pub struct Messages {
     time: AtomicU64,
 }
 
-#[derive(Default)]
+/// What an instance has said so far, and to which time it has come.
+#[derive(Serialize, Deserialize)]
+pub struct Said {
+    content: Content,
+    time: f64,
+}
+
+#[derive(Clone, Default, Serialize, Deserialize)]
 struct Content {
     last: Option<String>,
     warnings: Vec<String>,
@@ -122,6 +131,20 @@ impl Messages {
             more => warnings.push(format!("and {more} more messages")),
         }
         warnings
+    }
+
+    /// What the instance has said so far.
+    pub fn save(&self) -> Said {
+        Said {
+            content: lock(&self.content).clone(),
+            time: f64::from_bits(self.time.load(Ordering::Relaxed)),
+        }
+    }
+
+    /// Goes on from what another instance had said.
+    pub fn restore(&self, said: Said) {
+        *lock(&self.content) = said.content;
+        self.reached(said.time);
     }
 
     /// Notes the time to which the instance has come, s.

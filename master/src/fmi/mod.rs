@@ -15,6 +15,7 @@
 //! | `manner.rs`, `home.rs` | how an instance is called: on a thread of its own |
 //! | `resource_paths.rs` | texts that name files in an FMU's own resources |
 //! | `step.rs` | the step, and what each status of it means |
+//! | `state.rs` | the states of an instance, and as bytes |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
 //!
@@ -37,6 +38,7 @@ mod messages;
 mod origins;
 pub mod pack;
 mod resource_paths;
+mod state;
 mod step;
 mod unit;
 pub mod watched;

@@ -5,8 +5,10 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use crate::run::checkpoint;
+
 /// Names of what a run writes, besides the fields of the rails.
-const NAMES: [&str; 5] = [MANIFEST, "report.html", "series", "fmus", "package"];
+const NAMES: [&str; 6] = [MANIFEST, "report.html", "series", "fmus", "package", checkpoint::FOLDER];
 
 /// Name of the manifest.
 pub const MANIFEST: &str = "manifest.toml";
