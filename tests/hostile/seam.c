@@ -39,7 +39,7 @@ static void change_mxcsr(unsigned clear, unsigned set) {
     __asm__ volatile("ldmxcsr %0" : : "m"(mxcsr));
 }
 
-__attribute__((constructor)) static void at_load(void) {
+__attribute__((constructor)) static void seam_at_load(void) {
     if (BEHAVIOUR == ROUNDING_AT_LOAD) change_mxcsr(0, 0x4000);
 }
 

@@ -238,8 +238,8 @@ mod tests {
             for checks in [Checks::Finite, Checks::Error] {
                 let error = part(checks, &[0.0, value]).advance(2.0, 0.5).unwrap_err().to_string();
                 let wanted = format!(
-                    "m (a mock): the check of y1 = {value:?} at 2.5 s failed: the value is not a \
-                     finite number"
+                    "m: the value is not a finite number (a mock: the check of y1 = {value:?} at \
+                     2.5 s failed)"
                 );
                 assert_eq!(error, wanted);
             }
