@@ -93,8 +93,7 @@ fn property_an_interrupted_run_goes_on_byte_for_byte() {
     let folder = scenario.folder.path();
     unbroken(folder, "scenario.toml");
     for (results, number, threads) in [("run", 2, "1"), ("alone", 9, "2"), ("train", 21, "2")] {
-        let code =
-            interrupt_at(folder, &ordered("scenario.toml", results, "0.4"), results, number);
+        let code = interrupt_at(folder, &ordered("scenario.toml", results, "0.4"), results, number);
         assert_eq!(code, Some(130));
         let manifest = fs::read_to_string(folder.join(results).join("manifest.toml")).unwrap();
         assert!(manifest.contains("end = \"interrupted\""), "{manifest}");

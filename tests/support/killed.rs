@@ -19,12 +19,7 @@ pub fn kill_at(folder: &Path, arguments: &[&str], results: &str, number: u64) {
 ///
 /// # Panics
 /// When the run ends before.
-pub fn interrupt_at(
-    folder: &Path,
-    arguments: &[&str],
-    results: &str,
-    number: u64,
-) -> Option<i32> {
+pub fn interrupt_at(folder: &Path, arguments: &[&str], results: &str, number: u64) -> Option<i32> {
     let run = run_until(folder, arguments, results, number);
     let status = Command::new("kill").args(["-INT", &run.id().to_string()]).status();
     assert!(status.expect("a program `kill`").success());
@@ -59,8 +54,10 @@ fn newest(checkpoints: &Path) -> Option<u64> {
 
 fn kill(run: &mut Child) {
     let id = run.id().to_string();
-    let children = std::fs::read_to_string(format!("/proc/{id}/task/{id}/children"));
-    let children = children.unwrap_or_default();
+    // Any of its threads may have started the child.
+    let threads = std::fs::read_dir(format!("/proc/{id}/task")).expect("it runs");
+    let children = threads.flatten().map(|thread| thread.path().join("children"));
+    let children: String = children.flat_map(std::fs::read_to_string).collect();
     // The parent last, so that it cannot complete anything: it stands still meanwhile.
     let signal = |signal: &str, ids: &mut dyn Iterator<Item = &str>| {
         let status = Command::new("kill").arg(signal).args(ids).status();

@@ -66,23 +66,20 @@ impl Parts {
         fs::create_dir_all(&self.folder).map_err(RecordingError::file(&self.folder))?;
         let wrong = || RecordingError::parquet::<ParquetError>(&self.joined);
         let mut written = 0;
-        let mut left: Vec<RecordBatch> = vec![];
+        let mut left = RecordBatch::new_empty(schema.clone());
         for batch in rows_of(slice::from_ref(&self.joined)) {
             if written == count {
                 break;
             }
-            left.push(batch.map_err(wrong())?);
-            let together = concat_batches(schema, &left);
-            let together = together.map_err(|error| wrong()(error.into()))?;
-            left.clear();
-            match together.num_rows() {
-                some if some < rows => left.push(together),
-                some => {
-                    let part = std::iter::once(Ok(together.slice(0, rows)));
-                    write_file(&self.file(written), schema, part)?;
-                    written += 1;
-                    left.push(together.slice(rows, some - rows));
-                }
+            let batch = batch.map_err(wrong())?;
+            left =
+                concat_batches(schema, [&left, &batch]).map_err(|error| wrong()(error.into()))?;
+            // A batch may hold several parts.
+            while written < count && left.num_rows() >= rows {
+                let part = std::iter::once(Ok(left.slice(0, rows)));
+                write_file(&self.file(written), schema, part)?;
+                written += 1;
+                left = left.slice(rows, left.num_rows() - rows);
             }
         }
         match written == count {

@@ -7,6 +7,8 @@
 use std::fs::{self, File, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use super::contents::{has_manifest, names_of_a_run, remove};
 use crate::files::file_error::FileError;
@@ -18,6 +20,11 @@ const CLAIM: &str = ".hotfoot-run";
 
 /// Stands in the claim of a run that goes on with the results of a folder, which stay whatever becomes of it.
 const GOES_ON: &str = "goes on\n";
+
+/// Longest time in which a run may let go of its folder that was killed.
+const DYING: Duration = Duration::from_secs(1);
+/// Time between two looks whether it has.
+const PAUSE: Duration = Duration::from_millis(10);
 
 /// Why a run cannot have a folder.
 #[derive(Debug, thiserror::Error)]
@@ -236,10 +243,15 @@ pub fn owner(folder: &Path) -> Result<Owner, FileError> {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Owner::None),
         Err(error) => return Err(FileError::at(&file)(error)),
     };
-    match lock.try_lock() {
-        Ok(()) => Ok(Owner::Dead),
-        Err(TryLockError::WouldBlock) => Ok(Owner::Living),
-        Err(TryLockError::Error(error)) => Err(FileError::at(&file)(error)),
+    // A process that was killed lets go of its files a little later.
+    let begin = Instant::now();
+    loop {
+        match lock.try_lock() {
+            Ok(()) => return Ok(Owner::Dead),
+            Err(TryLockError::WouldBlock) if begin.elapsed() < DYING => thread::sleep(PAUSE),
+            Err(TryLockError::WouldBlock) => return Ok(Owner::Living),
+            Err(TryLockError::Error(error)) => return Err(FileError::at(&file)(error)),
+        }
     }
 }
 
