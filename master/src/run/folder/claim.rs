@@ -22,7 +22,7 @@ const CLAIM: &str = ".hotfoot-run";
 const GOES_ON: &str = "goes on\n";
 
 /// Longest time in which a run may let go of its folder that was killed.
-const DYING: Duration = Duration::from_secs(1);
+const DYING: Duration = Duration::from_millis(200);
 /// Time between two looks whether it has.
 const PAUSE: Duration = Duration::from_millis(10);
 
@@ -247,6 +247,8 @@ pub fn owner(folder: &Path) -> Result<Owner, FileError> {
     let begin = Instant::now();
     loop {
         match lock.try_lock() {
+            // A run that has just come to its end was alive.
+            Ok(()) if !file.exists() => return Ok(Owner::Living),
             Ok(()) => return Ok(Owner::Dead),
             Err(TryLockError::WouldBlock) if begin.elapsed() < DYING => thread::sleep(PAUSE),
             Err(TryLockError::WouldBlock) => return Ok(Owner::Living),
