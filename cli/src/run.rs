@@ -115,7 +115,7 @@ pub fn run(arguments: &RunArguments) -> Result<u8> {
 
 fn run_in_child(arguments: &RunArguments) -> Result<u8> {
     let claim = match (&arguments.resume, &arguments.results) {
-        (Some(folder), _) => Claim::to_go_on(folder)?,
+        (Some(folder), _) => Claim::to_resume(folder)?,
         (None, Some(folder)) => Claim::of(folder, arguments.overwrite)?,
         (None, None) => Claim::of_new(arguments.scenario())?,
     };

@@ -80,8 +80,7 @@ pub fn run(path: &Path, results: &Path, options: &Options) -> Result<Finished, R
     run_or_resume(&Subject::new(path)?, results, options, checkpoint::begin)
 }
 
-/// Goes on with the run in a folder of results, which the caller has claimed, from its newest checkpoint that
-/// is whole.
+/// Goes on with the run in a claimed folder of results, from its newest whole checkpoint.
 ///
 /// What it writes is what it would have written anyway, on any number of threads. Of the `options` the threads
 /// count and whether it is quiet.

@@ -32,12 +32,10 @@ pub use order::{Order, Subject};
 pub use state::{Reached, RunState};
 
 use crate::files::file_error::FileError;
+use crate::run::folder::contents::CHECKPOINTS;
 use crate::run::recorder::Recorder;
 use crate::system::step::System;
 use crate::system::times::Stopwatch;
-
-/// Name of the folder in that of the results.
-pub const FOLDER: &str = "checkpoint";
 
 /// How many are kept: where the last one is damaged, the one before is taken.
 const KEPT: usize = 2;
@@ -90,7 +88,7 @@ impl Beginning {
 
 /// The file of the tape of the rail with that number in a folder of results.
 pub fn tape_file(results: &Path, number: usize) -> PathBuf {
-    results.join(FOLDER).join(format!("tape-{number}"))
+    results.join(CHECKPOINTS).join(format!("tape-{number}"))
 }
 
 /// Begins the checkpoints of a new run as `order` says.
@@ -98,7 +96,7 @@ pub fn tape_file(results: &Path, number: usize) -> PathBuf {
 /// # Errors
 /// When the folder cannot be written.
 pub fn begin(order: &Order) -> Result<Beginning, CheckpointError> {
-    let folder = order.results.join(FOLDER);
+    let folder = order.results.join(CHECKPOINTS);
     let Some(interval) = order.times.checkpoint else { return Ok(Beginning::default()) };
     fs::create_dir_all(&folder).map_err(FileError::at(&folder))?;
     order.write(&folder.join(order::NAME))?;
@@ -111,7 +109,7 @@ pub fn begin(order: &Order) -> Result<Beginning, CheckpointError> {
 /// # Errors
 /// When there is no such run, or something is different now.
 pub fn order_of(results: &Path) -> Result<Order, CheckpointError> {
-    let order = Order::read(&results.join(FOLDER).join(order::NAME), results)?;
+    let order = Order::read(&results.join(CHECKPOINTS).join(order::NAME), results)?;
     order.check(results)?;
     Ok(order)
 }
@@ -121,7 +119,7 @@ pub fn order_of(results: &Path) -> Result<Order, CheckpointError> {
 /// # Errors
 /// When the folder cannot be read.
 pub fn resume(order: &Order) -> Result<Beginning, CheckpointError> {
-    let folder = order.results.join(FOLDER);
+    let folder = order.results.join(CHECKPOINTS);
     let interval = order.times.checkpoint.unwrap_or(f64::INFINITY);
     let states = states(&folder)?;
     let number = states.last().map_or(1, |(number, _)| number + 1);

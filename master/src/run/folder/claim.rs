@@ -116,7 +116,7 @@ impl Claim {
     ///
     /// # Errors
     /// When another run has the folder, it is not there, or the file system refuses.
-    pub fn to_go_on(folder: &Path) -> Result<Self, ClaimError> {
+    pub fn to_resume(folder: &Path) -> Result<Self, ClaimError> {
         Ok(Self::lock(folder, vec![], GOES_ON)?.0)
     }
 
@@ -215,7 +215,7 @@ impl Claim {
         self.goes_on
     }
 
-    /// Ends the claim of a run that has failed before it recorded anything, and removes what it has written:
+    /// Ends the claim of a run that has recorded nothing, and removes what it has written:
     /// nothing of that was there when the folder was claimed, unless the run goes on with results.
     pub fn abandon(&self) {
         if !self.goes_on {
