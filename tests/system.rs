@@ -22,6 +22,7 @@
 //! | `packages.rs` | packages of scenarios against the scenarios |
 //! | `profile_files.rs` | profiles of vehicle files |
 //! | `rails.rs` | the heated rails |
+//! | `resume.rs` | runs that go on from a checkpoint |
 //! | `seam.rs` | FMUs that misbehave at the seam: values, memory, threads, messages |
 //! | `scenarios.rs` | every shipped scenario |
 //! | `ssp_kinds.rs` | packages as other tools write them |
@@ -51,6 +52,7 @@ mod outputs;
 mod packages;
 mod profile_files;
 mod rails;
+mod resume;
 mod scenarios;
 mod seam;
 mod ssp_kinds;

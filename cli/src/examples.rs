@@ -5,7 +5,9 @@ pub const RUN: &str = "\
 Examples:
   hotfoot run scenarios/curve-increasing-speed --duration 20
   hotfoot run scenarios/train-alone --results results/first --quiet
-  hotfoot run train.ssp --step 0.001 --threads 4";
+  hotfoot run train.ssp --step 0.001 --threads 4
+  hotfoot run scenarios/wet-rail --checkpoint 20 --results results/long
+  hotfoot run --resume results/long";
 
 /// Of `hotfoot export-ssp`.
 pub const EXPORT_SSP: &str = "\

@@ -19,7 +19,18 @@ use crate::supervise::{self, Blame, End, exit_code};
 #[derive(Args)]
 pub struct RunArguments {
     /// Scenario: its folder or file; or any FMUs: an SSP package (.ssp, its folder, or .ssd), or one .fmu
-    scenario: PathBuf,
+    #[arg(required_unless_present = "resume")]
+    scenario: Option<PathBuf>,
+    /// Go on with the run in this folder of results from its last checkpoint, as it was ordered
+    #[arg(
+        long,
+        value_name = "RESULTS",
+        conflicts_with_all = [
+            "scenario", "results", "overwrite", "fmus", "duration", "step", "interval", "checkpoint", "tolerance",
+            "checks", "same_thread", "isolate",
+        ]
+    )]
+    resume: Option<PathBuf>,
     /// Threads for the vehicles; left out: all cores
     #[arg(long, value_parser = count)]
     threads: Option<usize>,
@@ -41,6 +52,10 @@ pub struct RunArguments {
     /// Time between two records in place of the scenario's, s; of an SSP package, left out: 0.1
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     interval: Option<f64>,
+    /// Simulated time between two checkpoints, in place of the scenario's, s; left out by both: none is
+    /// written
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    checkpoint: Option<f64>,
     /// Relative tolerance for the solvers of the FMUs in place of what each proposes, such as 1e-6
     #[arg(long, value_name = "TOLERANCE", value_parser = positive)]
     tolerance: Option<f64>,
@@ -82,6 +97,13 @@ impl From<Checks> for hotfoot::Checks {
     }
 }
 
+impl RunArguments {
+    /// The scenario or package, which is there where no run is resumed.
+    fn scenario(&self) -> &Path {
+        self.scenario.as_deref().unwrap_or(Path::new(""))
+    }
+}
+
 /// Runs a scenario in a child process, tells where the results are, and the main figures.
 /// Gives the exit code.
 ///
@@ -95,9 +117,10 @@ pub fn run(arguments: &RunArguments) -> Result<u8> {
 }
 
 fn run_in_child(arguments: &RunArguments) -> Result<u8> {
-    let claim = match &arguments.results {
-        Some(folder) => Claim::of(folder, arguments.overwrite)?,
-        None => Claim::of_new(&arguments.scenario)?,
+    let claim = match (&arguments.resume, &arguments.results) {
+        (Some(folder), _) => Claim::to_resume(folder)?,
+        (None, Some(folder)) => Claim::of(folder, arguments.overwrite)?,
+        (None, None) => Claim::of_new(arguments.scenario())?,
     };
     match supervise::in_child(&arguments.limits, Some(claim.folder())) {
         Ok(End { finished: Some(code), blame, records }) => {
@@ -136,7 +159,7 @@ fn complete_results(claim: Claim, blame: &Blame, records: u64) -> Result<u8> {
     }
     let end = if interrupted.is_some() { run::End::Interrupted } else { run::End::Failed };
     let completed = match records {
-        0 => Ok(None),
+        0 if !claim.goes_on() => Ok(None),
         _ => complete(claim.folder(), Ended::because(end, sentence)),
     };
     match completed {
@@ -163,6 +186,7 @@ fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
             duration: arguments.duration,
             step: arguments.step,
             interval: arguments.interval,
+            checkpoint: arguments.checkpoint,
         },
         tolerance: arguments.tolerance,
         checks: arguments.checks.map(Into::into),
@@ -171,7 +195,10 @@ fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
         quiet: arguments.quiet,
     };
     let results = child.results().ok_or_else(|| anyhow!("the parent has given no folder"))?;
-    let finished = run::run(&arguments.scenario, results, &options)?;
+    let finished = match &arguments.resume {
+        Some(_) => run::resume(results, &options)?,
+        None => run::run(arguments.scenario(), results, &options)?,
+    };
     let mut code = 0;
     if let Some(stopped) = finished.stopped() {
         tell(format_args!("{stopped}; the results until then are in {}", results.display()));

@@ -22,6 +22,31 @@ enum {
     OTHER_VERSION  /* says that it is of FMI 1.0 */
 };
 
+/* Misbehaviour of seam.c. */
+enum {
+    NAN_SPEED = 100,
+    INFINITE_SPEED,
+    HUGE_SPEED,
+    REVERSING,          /* the speed, from step to step */
+    ROUNDING,           /* upward, from then on */
+    FLUSHING,           /* of denormal numbers */
+    TRAPPING,           /* of invalid operations, divisions by zero and overflows */
+    ROUNDING_AT_LOAD,
+    ONE_THREAD,         /* only the one that has made the instance may call */
+    MESSAGE_AFTER_FREE, /* from a thread, with the environment of the instance */
+    THREAD_OUTLIVES,    /* and logs all the time */
+    DOUBLE_FREE,        /* in a step */
+    WRITES_BEYOND,      /* the array of fmi2GetReal */
+    WRITES_BEFORE,
+    CHANGES_REFERENCES, /* of fmi2GetReal */
+    CHANGES_INPUTS,     /* of fmi2SetReal */
+    NULL_ENVIRONMENT,   /* is handed to the logger */
+    OWN_ENVIRONMENT,
+    FOREIGN_THREAD,     /* logs, without an environment */
+    CONTROL_CHARACTERS, /* in a message */
+    MANY_MESSAGES       /* one in each step */
+};
+
 enum { OK, WARNING, DISCARDED, ERROR, FATALLY, IS_PENDING };
 enum { POSITION0, VELOCITY0, FRONT, REAR, SYNC, POSITION, VELOCITY, REALS };
 enum { INTEGERS = 1, BOOLEANS = 1 };

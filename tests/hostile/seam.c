@@ -4,30 +4,6 @@
 #include <pthread.h>
 #include <unistd.h>
 
-enum {
-    NAN_SPEED = 100,
-    INFINITE_SPEED,
-    HUGE_SPEED,
-    REVERSING,          /* the speed, from step to step */
-    ROUNDING,           /* upward, from then on */
-    FLUSHING,           /* of denormal numbers */
-    TRAPPING,           /* of invalid operations, divisions by zero and overflows */
-    ROUNDING_AT_LOAD,
-    ONE_THREAD,         /* only the one that has made the instance may call */
-    MESSAGE_AFTER_FREE, /* from a thread, with the environment of the instance */
-    THREAD_OUTLIVES,    /* and logs all the time */
-    DOUBLE_FREE,        /* in a step */
-    WRITES_BEYOND,      /* the array of fmi2GetReal */
-    WRITES_BEFORE,
-    CHANGES_REFERENCES, /* of fmi2GetReal */
-    CHANGES_INPUTS,     /* of fmi2SetReal */
-    NULL_ENVIRONMENT,   /* is handed to the logger */
-    OWN_ENVIRONMENT,
-    FOREIGN_THREAD,     /* logs, without an environment */
-    CONTROL_CHARACTERS, /* in a message */
-    MANY_MESSAGES       /* one in each step */
-};
-
 static Callbacks kept;
 static pthread_t maker;
 
@@ -39,7 +15,7 @@ static void change_mxcsr(unsigned clear, unsigned set) {
     __asm__ volatile("ldmxcsr %0" : : "m"(mxcsr));
 }
 
-__attribute__((constructor)) static void at_load(void) {
+__attribute__((constructor)) static void seam_at_load(void) {
     if (BEHAVIOUR == ROUNDING_AT_LOAD) change_mxcsr(0, 0x4000);
 }
 

@@ -2,6 +2,7 @@
 
 pub mod fmu_copy;
 pub mod hostile;
+pub mod killed;
 pub mod package;
 pub mod probe;
 

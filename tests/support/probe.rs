@@ -78,7 +78,7 @@ impl Package {
 
     /// Runs it, recording every step of 0.01 s, unless further arguments say otherwise.
     pub fn run(&self, arguments: &[&str]) -> Output {
-        let mut all = vec!["run", "s.ssp", "--quiet", "--results", "r"];
+        let mut all = vec!["run", "s.ssp", "--quiet", "--results", "r", "--overwrite"];
         for option in ["--step", "--interval"] {
             if !arguments.contains(&option) {
                 all.extend([option, "0.01"]);

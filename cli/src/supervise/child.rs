@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use hotfoot::run::folder::claim::{Claim, abandon, release};
+use hotfoot::run::folder::claim::{Claim, release};
 use hotfoot::watched::{self, Page};
 
 use super::temporary;
@@ -111,9 +111,9 @@ impl Child {
 
     /// Leaves the folder of the results, as the parent does it.
     fn leave_results(&self) {
-        match (self.results(), self.page.records()) {
-            (Some(folder), 0) => abandon(folder),
-            (Some(folder), _) => release(folder),
+        match (&self.results, self.page.records()) {
+            (Some(claim), 0) => claim.abandon(),
+            (Some(claim), _) => release(claim.folder()),
             (None, _) => {}
         }
     }

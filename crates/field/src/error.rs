@@ -55,6 +55,16 @@ pub enum FieldError {
         /// Path of the store.
         path: PathBuf,
     },
+    /// The store lacks snapshots behind which it is to go on.
+    #[error("field {path}: has {found} snapshots, where the run that goes on had written {wanted}")]
+    TooShort {
+        /// Path of the store.
+        path: PathBuf,
+        /// Number of its snapshots.
+        found: usize,
+        /// Number behind which it is to go on.
+        wanted: usize,
+    },
     /// The field has no snapshot yet.
     #[error("field {path}: has no snapshot")]
     NoSnapshot {

@@ -29,6 +29,9 @@ pub(crate) const KIND: (&str, &str) = ("kind", "hotfoot rail field");
 /// when only a short length of rail is wanted.
 const CHUNK_ELEMENTS: u64 = 1024;
 
+/// Name of metadata that are being written.
+pub(crate) const PARTIAL: &str = "zarr.json.partial";
+
 /// Level of zstd compression: the fastest.
 const COMPRESSION_LEVEL: i32 = 1;
 
@@ -130,7 +133,7 @@ pub(crate) fn write_metadata(path: &Path, array: &StoredArray) -> Result<(), Fie
 /// Writes `zarr.json` of the group or array in `folder` by a rename.
 pub(crate) fn write_whole(folder: &Path, text: &str) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
-    let partial = folder.join("zarr.json.partial");
+    let partial = folder.join(PARTIAL);
     fs::write(&partial, text)?;
     fs::rename(partial, folder.join("zarr.json"))
 }

@@ -23,6 +23,7 @@
 //! | `writer.rs` | appends snapshots |
 //! | `complete.rs` | completes a field whose writer was killed |
 //! | `reader.rs` | reads snapshots |
+//! | `resumed.rs` | goes on with a field that is there |
 //!
 //! No other crate knows Zarr.
 
@@ -31,6 +32,7 @@ mod complete;
 mod error;
 mod layout;
 mod reader;
+mod resumed;
 mod writer;
 
 pub use axes::{Attribute, Axes};

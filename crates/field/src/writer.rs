@@ -49,20 +49,59 @@ impl FieldWriter {
             store(path, &array, &[0], values)?;
             layout::write_metadata(path, &array)?;
         }
-        let temperature_rise = layout::temperature_rise(path, axes)?;
-        let time = layout::time(path)?;
-        layout::write_metadata(path, &time)?;
-        layout::write_metadata(path, &temperature_rise)?;
+        let writer = Self::after(path, axes, &[])?;
+        writer.show()?;
+        Ok(writer)
+    }
+
+    /// A writer of the store at `path` behind the snapshots of these times, s.
+    pub(crate) fn after(path: &Path, axes: &Axes, times: &[f64]) -> Result<Self, FieldError> {
+        let (temperature_rise, time) = (layout::temperature_rise(path, axes)?, layout::time(path)?);
         let shard = shard_values(path, &temperature_rise)?;
-        Ok(Self {
+        let mut writer = Self {
             path: path.to_owned(),
             temperature_rise,
             time,
             shard: vec![f32::NAN; shard],
             values: axes.values(),
-            snapshots: 0,
-            last: None,
-        })
+            snapshots: times.len() as u64,
+            last: times.last().copied(),
+        };
+        writer.set_length(writer.snapshots)?;
+        Ok(writer)
+    }
+
+    /// Removes what lies behind the last snapshot.
+    pub(crate) fn cut(&self) -> Result<(), FieldError> {
+        self.show()?;
+        let zarr = |error: &dyn std::fmt::Display| FieldError::Zarr {
+            path: self.path.clone(),
+            reason: error.to_string(),
+        };
+        for n in self.snapshots.. {
+            let mut found = false;
+            for (array, chunk) in [(&self.time, &[n][..]), (&self.temperature_rise, &[n, 0, 0])] {
+                found |= array.retrieve_encoded_chunk(chunk).map_err(|e| zarr(&e))?.is_some();
+                array.erase_chunk(chunk).map_err(|e| zarr(&e))?;
+            }
+            if !found {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn set_length(&mut self, snapshots: u64) -> Result<(), FieldError> {
+        let mut shape = self.temperature_rise.shape().to_vec();
+        shape[0] = snapshots;
+        grow(&self.path, &mut self.time, vec![snapshots])?;
+        grow(&self.path, &mut self.temperature_rise, shape)
+    }
+
+    /// Makes visible what is on disk.
+    fn show(&self) -> Result<(), FieldError> {
+        layout::write_metadata(&self.path, &self.time)?;
+        layout::write_metadata(&self.path, &self.temperature_rise)
     }
 
     /// Appends the snapshot at `time` in s: the rise in K, the depths of the first element first.
@@ -75,15 +114,11 @@ impl FieldWriter {
         self.check(time, rise)?;
         self.shard[..self.values].copy_from_slice(rise);
         let n = self.snapshots;
-        let mut shape = self.temperature_rise.shape().to_vec();
-        shape[0] = n + 1;
-        grow(&self.path, &mut self.time, vec![n + 1])?;
-        grow(&self.path, &mut self.temperature_rise, shape)?;
+        self.set_length(n + 1)?;
         store(&self.path, &self.time, &[n], &[time])?;
         store(&self.path, &self.temperature_rise, &[n, 0, 0], &self.shard)?;
         // The values are on disk; now they become visible.
-        layout::write_metadata(&self.path, &self.time)?;
-        layout::write_metadata(&self.path, &self.temperature_rise)?;
+        self.show()?;
         self.snapshots = n + 1;
         self.last = Some(time);
         Ok(())
@@ -123,8 +158,11 @@ fn make_room(path: &Path) -> Result<(), FieldError> {
     if is_rail_field(path) {
         return fs::remove_dir_all(path).map_err(io);
     }
-    let empty = path.is_dir() && fs::read_dir(path).map_err(io)?.next().is_none();
-    if empty {
+    // A writer that was killed at its very beginning leaves the metadata under another name.
+    let begun = |entry: &std::io::Result<fs::DirEntry>| {
+        entry.as_ref().is_ok_and(|entry| entry.file_name() == layout::PARTIAL)
+    };
+    if path.is_dir() && fs::read_dir(path).map_err(io)?.all(|entry| begun(&entry)) {
         Ok(())
     } else {
         let path = path.to_owned();

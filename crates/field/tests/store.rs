@@ -1,7 +1,7 @@
 //! What a field must hold on disk.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use field::{Attribute, Axes, FieldError, FieldReader, FieldWriter};
 
@@ -94,6 +94,47 @@ fn property_a_half_appended_snapshot_is_not_seen() {
     let reader = FieldReader::open(&path).unwrap();
     assert_eq!(reader.times(), [0.0]);
     assert_eq!(reader.at_time(1.0).unwrap().rise, rise(&axes(), 0));
+}
+
+/// A field that goes on behind some of its snapshots is, byte for byte, one that was written at once.
+#[test]
+fn property_a_field_goes_on_as_if_it_had_never_stopped() {
+    let folder = tempfile::tempdir().unwrap();
+    let [once, twice] = ["once.zarr", "twice.zarr"].map(|name| folder.path().join(name));
+    let append = |writer: &mut FieldWriter, from: usize, to: usize| {
+        for snapshot in from..to {
+            writer.append(snapshot as f64, &rise(&axes(), snapshot)).unwrap();
+        }
+    };
+    append(&mut create(&once), 0, 4);
+    append(&mut create(&twice), 0, 6);
+    let mut resumed = FieldWriter::resume(&twice, 2).unwrap();
+    assert_eq!(FieldReader::open(&twice).unwrap().times(), [0.0, 1.0]);
+    assert_eq!(resumed.last_time(), Some(1.0));
+    append(&mut resumed, 2, 4);
+    assert_eq!(files(&once), files(&twice));
+    let refused = FieldWriter::resume(&twice, 5).err().unwrap().to_string();
+    assert!(refused.contains("has 4 snapshots") && refused.contains("written 5"), "{refused}");
+}
+
+/// All files below a folder with their bytes.
+fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut found = vec![];
+    let mut folders = vec![folder.to_owned()];
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            match path.is_dir() {
+                true => folders.push(path),
+                false => {
+                    let name = path.strip_prefix(folder).unwrap().to_owned();
+                    found.push((name, fs::read(&path).unwrap()));
+                }
+            }
+        }
+    }
+    found.sort();
+    found
 }
 
 /// A store that is removed while it is written is not begun again in halves.

@@ -146,6 +146,12 @@ functions! {
     set_fmu_state = b"fmi2SetFMUstate": fn(Component, *mut c_void) -> Status;
     /// `fmi2FreeFMUstate`.
     free_fmu_state = b"fmi2FreeFMUstate": fn(Component, *mut *mut c_void) -> Status;
+    /// `fmi2SerializedFMUstateSize`.
+    serialized_fmu_state_size = b"fmi2SerializedFMUstateSize": fn(Component, *mut c_void, *mut usize) -> Status;
+    /// `fmi2SerializeFMUstate`.
+    serialize_fmu_state = b"fmi2SerializeFMUstate": fn(Component, *mut c_void, *mut c_char, usize) -> Status;
+    /// `fmi2DeSerializeFMUstate`.
+    de_serialize_fmu_state = b"fmi2DeSerializeFMUstate": fn(Component, *const c_char, usize, *mut *mut c_void) -> Status;
     /// `fmi2GetStatus`.
     get_status = b"fmi2GetStatus": fn(Component, c_int, *mut Status) -> Status;
     /// `fmi2GetBooleanStatus`.
@@ -158,9 +164,6 @@ functions! {
 const ALSO_REQUIRED: &[&[u8]] = &[
     b"fmi2SetDebugLogging",
     b"fmi2Reset",
-    b"fmi2SerializedFMUstateSize",
-    b"fmi2SerializeFMUstate",
-    b"fmi2DeSerializeFMUstate",
     b"fmi2GetDirectionalDerivative",
     b"fmi2SetRealInputDerivatives",
     b"fmi2GetRealOutputDerivatives",

@@ -142,6 +142,19 @@ impl Unit for AtHome {
         self.ask(|instance| Ok(instance.wish_to_end())).ok().flatten()
     }
 
+    fn keeps_states(&self) -> bool {
+        self.ask(|instance| Ok(instance.keeps_states())).unwrap_or(false)
+    }
+
+    fn save(&mut self) -> Result<Vec<u8>, UnitError> {
+        self.ask(Unit::save)
+    }
+
+    fn restore(&mut self, saved: &[u8]) -> Result<(), UnitError> {
+        let saved = saved.to_vec();
+        self.ask(move |instance| instance.restore(&saved))
+    }
+
     fn terminate(&mut self) -> Result<(), UnitError> {
         self.ask(Unit::terminate)
     }

@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use serde::{Deserialize, Serialize};
+
 use super::binding::OK;
 use crate::system::clock::shown;
 
@@ -38,7 +40,23 @@ pub struct Messages {
     time: AtomicU64,
 }
 
-#[derive(Default)]
+/// What an instance has said so far, and to which time it has come.
+#[derive(Serialize, Deserialize)]
+pub struct Said {
+    content: Content,
+    time: f64,
+}
+
+impl Said {
+    /// The same with the warnings that another has kept, and no others.
+    #[cfg(target_os = "linux")]
+    pub fn with_warnings_of(mut self, other: Self) -> Self {
+        (self.content.warnings, self.content.more) = (other.content.warnings, other.content.more);
+        self
+    }
+}
+
+#[derive(Clone, Default, Serialize, Deserialize)]
 struct Content {
     last: Option<String>,
     warnings: Vec<String>,
@@ -128,6 +146,20 @@ impl Messages {
     #[cfg(target_os = "linux")]
     pub fn warn(&self, text: String) {
         lock(&self.content).warn(text);
+    }
+
+    /// What the instance has said so far.
+    pub fn save(&self) -> Said {
+        Said {
+            content: lock(&self.content).clone(),
+            time: f64::from_bits(self.time.load(Ordering::Relaxed)),
+        }
+    }
+
+    /// Goes on from what another instance had said.
+    pub fn restore(&self, said: Said) {
+        *lock(&self.content) = said.content;
+        self.reached(said.time);
     }
 
     /// Notes the time to which the instance has come, s.

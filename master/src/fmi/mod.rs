@@ -17,6 +17,7 @@
 //! | `resource_paths.rs` | texts that name files in an FMU's own resources |
 //! | `step.rs` | the step, and what each status of it means |
 //! | `homes.rs` | which FMUs run in this process and which in their own |
+//! | `state.rs` | the states of an instance, and as bytes |
 //! | `pack.rs`, `documentation.rs` | FMUs are packed |
 //! | `logger.c` | the variadic part of the logger |
 //!
@@ -42,6 +43,7 @@ mod messages;
 mod origins;
 pub mod pack;
 mod resource_paths;
+mod state;
 mod step;
 mod unit;
 pub mod watched;

@@ -1,11 +1,9 @@
 //! The step of an FMU, and what each status of `fmi2DoStep` means (FMI 2.0 §2.1.3, §4.2.2).
 
-use std::ptr;
 use std::time::{Duration, Instant};
 
 use super::binding::{
-    DISCARD, DO_STEP_STATUS, FmuState, LAST_SUCCESSFUL_TIME, OK, PENDING, Status, TERMINATED,
-    WARNING,
+    DISCARD, DO_STEP_STATUS, LAST_SUCCESSFUL_TIME, OK, PENDING, Status, TERMINATED, WARNING,
 };
 use super::instance::FmuInstance;
 use crate::system::unit::UnitError;
@@ -29,7 +27,7 @@ impl FmuInstance {
     /// parts if that was asked for and the FMU allows it.
     pub(super) fn step_or_retry(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
         if self.retries {
-            self.save()?;
+            self.keep()?;
         }
         match self.do_step(time, length)? {
             Outcome::Done => Ok(()),
@@ -48,7 +46,7 @@ impl FmuInstance {
     fn retry(&mut self, time: f64, length: f64) -> Result<(), UnitError> {
         let mut parts = 2;
         while parts <= MOST_PARTS {
-            self.restore()?;
+            self.go_back()?;
             if self.step_in_parts(time, length, parts)? == Outcome::Done {
                 return Ok(());
             }
@@ -157,41 +155,5 @@ impl FmuInstance {
             |_| String::new(),
         );
         status == Ok(OK) && terminated != 0
-    }
-
-    /// Saves the instance into its slot.
-    fn save(&mut self) -> Result<(), UnitError> {
-        let mut state = self.slot.0.unwrap_or(FmuState(ptr::null_mut()));
-        // SAFETY: the state is null or one that this FMU gave, which it reuses.
-        let save =
-            |f: &super::binding::Functions, c| unsafe { (f.get_fmu_state)(c, &raw mut state.0) };
-        self.call(c"fmi2GetFMUstate", save, |_| String::new())?;
-        self.slot.0 = Some(state);
-        Ok(())
-    }
-
-    /// Sets the instance back to what its slot holds.
-    fn restore(&mut self) -> Result<(), UnitError> {
-        let Some(state) = self.slot.0 else { return Ok(()) };
-        self.call(
-            c"fmi2SetFMUstate",
-            // SAFETY: the state is one that this FMU gave.
-            |f, c| unsafe { (f.set_fmu_state)(c, state.0) },
-            |_| String::new(),
-        )
-    }
-
-    /// Gives the saved state back to the FMU.
-    pub(super) fn free_state(&mut self) {
-        if let Some(mut state) = self.slot.0.take()
-            && !self.component_is_fatal()
-        {
-            // SAFETY: the state is one that this FMU gave, and it is not used again.
-            let _ = self.status_of(
-                c"fmi2FreeFMUstate",
-                |f, c| unsafe { (f.free_fmu_state)(c, &raw mut state.0) },
-                |_| String::new(),
-            );
-        }
     }
 }

@@ -119,6 +119,19 @@ impl Unit for FmuInstance {
         self.wish_to_end
     }
 
+    fn keeps_states(&self) -> bool {
+        let interface = self.interface();
+        interface.can_get_and_set_state && interface.can_serialize_state
+    }
+
+    fn save(&mut self) -> Result<Vec<u8>, UnitError> {
+        self.save_bytes()
+    }
+
+    fn restore(&mut self, saved: &[u8]) -> Result<(), UnitError> {
+        self.restore_bytes(saved)
+    }
+
     fn terminate(&mut self) -> Result<(), UnitError> {
         self.call(
             c"fmi2Terminate",

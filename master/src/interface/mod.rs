@@ -13,6 +13,7 @@ mod xml;
 use std::collections::HashMap;
 
 pub use experiment::DefaultExperiment;
+use serde::{Deserialize, Serialize};
 
 use crate::files::xml_depth::{TooDeep, check_depth};
 use crate::interface::identifier::{C_NAME, is_c_name};
@@ -21,7 +22,7 @@ use crate::interface::si::SiUnit;
 use crate::interface::types::Types;
 
 /// Type of a variable.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum VariableType {
     /// Real.
     Real,
@@ -71,6 +72,8 @@ pub struct Interface {
     pub once_per_process: bool,
     /// Whether the FMU can save its state and be set back to it.
     pub can_get_and_set_state: bool,
+    /// Whether a saved state can be had as bytes, for another program.
+    pub can_serialize_state: bool,
     /// Whether steps may differ in length.
     pub variable_step: bool,
     /// What it proposes for a run.
@@ -122,6 +125,7 @@ impl Interface {
             guid: root.guid,
             once_per_process: slave.once_per_process,
             can_get_and_set_state: slave.can_get_and_set_state,
+            can_serialize_state: slave.can_serialize_state,
             variable_step: slave.variable_step,
             experiment: root.default_experiment.into(),
             variables: variables.filter_map(|scalar| variable(scalar, &units)).collect(),

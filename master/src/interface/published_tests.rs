@@ -69,6 +69,7 @@ fn published_interfaces_are_those_of_their_models() {
         assert_eq!(interface.identifier, model);
         assert!(!seen.contains(&interface.guid), "{model} has the GUID of another");
         assert!(interface.can_get_and_set_state, "{model} can be set back");
+        assert!(interface.can_serialize_state, "{model} can go on in another program");
         assert!(interface.variable_step, "{model} takes steps of any length");
         seen.push(interface.guid);
     }

@@ -116,6 +116,8 @@ pub struct CoSimulation {
     pub once_per_process: bool,
     #[serde(rename = "@canGetAndSetFMUstate", default)]
     pub can_get_and_set_state: bool,
+    #[serde(rename = "@canSerializeFMUstate", default)]
+    pub can_serialize_state: bool,
     #[serde(rename = "@canHandleVariableCommunicationStepSize", default)]
     pub variable_step: bool,
 }

@@ -1,12 +1,14 @@
 //! Last value of every column between two records, and mean, lowest and highest of some.
 
+use serde::{Deserialize, Serialize};
+
 /// Sees every step and remembers what a record needs.
 ///
 /// The interval of the extremes is closed at both ends: the value of the last record counts as
 /// the first of the next interval, so that lowest <= last <= highest always holds and curves
 /// of the extremes have no gaps. A mean is over the steps since the last record. Values lie row by
 /// row, as the steps bring them.
-#[derive(Debug)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Accumulator {
     columns: usize,
     /// The columns whose extremes are kept.
@@ -58,6 +60,22 @@ impl Accumulator {
                 *highest = value;
             }
         }
+    }
+
+    /// Last value of every column in a row; not-a-number until observed.
+    pub fn last_of_row(&self, row: usize) -> &[f64] {
+        &self.last[row * self.columns..][..self.columns]
+    }
+
+    /// Whether another one is of the same rows and columns.
+    pub fn is_like(&self, other: &Self) -> bool {
+        (self.columns, &self.extremes, &self.means)
+            == (other.columns, &other.extremes, &other.means)
+            && self.last.len() == other.last.len()
+            && self.lowest.len() == other.lowest.len()
+            && self.highest.len() == other.highest.len()
+            && self.sums.len() == other.sums.len()
+            && self.counts.len() == other.counts.len()
     }
 
     /// Last value of a column in every row; not-a-number until observed.

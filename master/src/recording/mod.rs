@@ -7,6 +7,7 @@
 //! | `accumulator.rs` | last value, mean, lowest and highest of every column between two records |
 //! | `writer.rs` | writes a table while the run goes on |
 //! | `parts.rs` | the files of a table: parts while the run goes on, one file at its end |
+//! | `cut.rs` | cuts a table for a run that goes on |
 //! | `open_part.rs` | the records since the last part, for when the program dies |
 //! | `complete.rs` | the tables of a run that was killed, completed |
 //! | `reader.rs` | reads a column of a table, of a finished or of a killed run |
@@ -17,6 +18,7 @@
 mod accumulator;
 mod column;
 mod complete;
+mod cut;
 mod open_part;
 mod parts;
 mod reader;
@@ -36,7 +38,7 @@ pub use column::{Column, Key, KeyValues};
 pub use complete::{Recorded, complete};
 pub use reader::{KeyValue, SeriesReader};
 pub use tables::{Side, VehicleRow, WheelRow, vehicle_keys, vehicle_keys_of, wheel_keys};
-pub use writer::SeriesWriter;
+pub use writer::{SeriesWriter, TableState};
 
 /// Name of the first column of every table.
 pub const TIME: &str = "time";
@@ -94,6 +96,18 @@ pub enum RecordingError {
         table: String,
         /// The name.
         column: String,
+    },
+    /// A table does not reach as far as the run that goes on with it had come.
+    #[error("{table}: the table ends before the time at which the run is to go on")]
+    TooShort {
+        /// File of the table, without its ending.
+        table: PathBuf,
+    },
+    /// What was saved of a table is of another one.
+    #[error("{table}: what was saved of this table is of another one")]
+    OtherTable {
+        /// File of the table, without its ending.
+        table: PathBuf,
     },
     /// The keys of a table do not belong together.
     #[error("table {table}: key {key} has {found} values where the keys before have {wanted}")]

@@ -46,23 +46,39 @@ const WRITER: &str = "hotfoot";
 
 /// The parts of a table that is being written.
 pub(super) struct Parts {
-    folder: PathBuf,
-    joined: PathBuf,
-    written: usize,
+    pub(super) folder: PathBuf,
+    pub(super) joined: PathBuf,
+    pub(super) written: usize,
     open: OpenPart,
+    /// Whether the folder is theirs and not one of an earlier run.
+    pub(super) begun: bool,
 }
 
 impl Parts {
-    /// Begins a table; removes the file and the parts of an earlier one.
-    pub fn create(folder: &Path, name: &str) -> Result<Self, RecordingError> {
-        let (parts, joined) = (parts_folder(folder, name), joined_file(folder, name));
-        let parts = Self { open: OpenPart::new(&parts), folder: parts, joined, written: 0 };
-        if parts.joined.exists() {
-            fs::remove_file(&parts.joined).map_err(RecordingError::file(&parts.joined))?;
+    /// A table that begins with its first record.
+    pub fn new(folder: &Path, name: &str) -> Self {
+        let (folder, joined) = (parts_folder(folder, name), joined_file(folder, name));
+        Self { open: OpenPart::new(&folder), folder, joined, written: 0, begun: false }
+    }
+
+    /// Makes the folder, and removes the file and the parts of an earlier run.
+    fn begin(&mut self) -> Result<(), RecordingError> {
+        if self.begun {
+            return Ok(());
         }
-        parts.remove()?;
-        fs::create_dir_all(&parts.folder).map_err(RecordingError::file(&parts.folder))?;
-        Ok(parts)
+        self.remove_joined()?;
+        self.remove()?;
+        fs::create_dir_all(&self.folder).map_err(RecordingError::file(&self.folder))?;
+        self.begun = true;
+        Ok(())
+    }
+
+    /// Removes the joined file if there is one.
+    pub(super) fn remove_joined(&self) -> Result<(), RecordingError> {
+        match self.joined.exists() {
+            true => fs::remove_file(&self.joined).map_err(RecordingError::file(&self.joined)),
+            false => Ok(()),
+        }
     }
 
     /// Adds a record to those since the last part.
@@ -71,6 +87,7 @@ impl Parts {
         schema: &SchemaRef,
         record: Result<RecordBatch, ArrowError>,
     ) -> Result<(), RecordingError> {
+        self.begin()?;
         self.open.append(schema, record)
     }
 
@@ -80,20 +97,27 @@ impl Parts {
         schema: &SchemaRef,
         batch: Result<RecordBatch, ArrowError>,
     ) -> Result<(), RecordingError> {
-        let file = self.folder.join(format!("part-{:05}.parquet", self.written));
+        self.begin()?;
+        let file = self.file(self.written);
         write_file(&file, schema, std::iter::once(batch.map_err(ParquetError::from)))?;
         self.written += 1;
         self.open.clear()
     }
 
+    /// The file of the part with that number, from zero.
+    pub(super) fn file(&self, number: usize) -> PathBuf {
+        self.folder.join(format!("part-{number:05}.parquet"))
+    }
+
     /// Joins the parts into one file and removes them.
-    pub fn join(&self, schema: &SchemaRef) -> Result<(), RecordingError> {
+    pub fn join(&mut self, schema: &SchemaRef) -> Result<(), RecordingError> {
+        self.begin()?;
         let files = part_files(&self.folder)?;
         write_file(&self.joined, schema, rows_of(&files))?;
         self.remove()
     }
 
-    fn remove(&self) -> Result<(), RecordingError> {
+    pub(super) fn remove(&self) -> Result<(), RecordingError> {
         remove_folder(&self.folder)
     }
 }

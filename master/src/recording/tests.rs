@@ -26,7 +26,11 @@ fn begin(folder: &Path) -> SeriesWriter {
 }
 
 fn step_through(writer: &mut SeriesWriter, steps: usize) {
-    for step in 0..=steps {
+    step_from(writer, 0, steps);
+}
+
+fn step_from(writer: &mut SeriesWriter, first: usize, last: usize) {
+    for step in first..=last {
         for row in 0..writer.rows() {
             writer.observe(row, &values(row, step));
         }
@@ -150,6 +154,37 @@ fn property_a_record_that_is_not_whole_is_passed_over() {
     let reader = SeriesReader::open(folder.path(), "vehicles").unwrap();
     let times = reader.read("time", &[("vehicle", KeyValue::Integer(1))]).unwrap();
     assert_eq!(times, [0.0, 0.1, 0.2]);
+}
+
+/// Another run goes on with a table from the middle of its second part, and of an interval: with that of a
+/// run that was killed later, and of one that has ended. One that ends before is refused.
+#[test]
+fn property_a_table_goes_on_byte_for_byte() {
+    let unbroken = tempfile::tempdir().unwrap();
+    run(unbroken.path());
+    for ended in [false, true] {
+        let folder = tempfile::tempdir().unwrap();
+        let mut writer = begin(folder.path());
+        step_through(&mut writer, 1550);
+        let bytes = postcard::to_allocvec(&writer.save()).unwrap();
+        let saved = || postcard::from_bytes(&bytes).unwrap();
+        step_from(&mut writer, 1551, STEPS);
+        match ended {
+            true => writer.finish().unwrap(),
+            false => drop(writer),
+        }
+        let mut resumed = begin(folder.path());
+        resumed.resume(saved()).unwrap();
+        let parts: Vec<_> = contents(&folder.path().join("vehicles.parts")).into_keys().collect();
+        assert_eq!(parts, [Path::new(".open.arrows"), Path::new("part-00000.parquet")]);
+        step_from(&mut resumed, 1551, STEPS);
+        resumed.finish().unwrap();
+        assert!(contents(folder.path()) == contents(unbroken.path()), "ended: {ended}");
+
+        let empty = tempfile::tempdir().unwrap();
+        let refused = begin(empty.path()).resume(saved()).unwrap_err().to_string();
+        assert!(refused.contains("vehicles: the table ends before"), "{refused}");
+    }
 }
 
 #[test]

@@ -6,11 +6,23 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch};
 use arrow_schema::{ArrowError, DataType, Schema, SchemaRef};
+use serde::{Deserialize, Serialize};
 
 use super::accumulator::Accumulator;
 use super::column::{Column, Key, described};
 use super::parts::Parts;
 use super::{RecordingError, TIME};
+
+/// All that changes of a table while it is written and is not in its parts.
+#[derive(Serialize, Deserialize)]
+pub struct TableState {
+    /// Number of the parts.
+    parts: usize,
+    /// The records behind them.
+    times: Vec<f64>,
+    buffers: Vec<Vec<f64>>,
+    accumulator: Accumulator,
+}
 
 /// Writes one table: a row for each key at each recorded instant.
 ///
@@ -31,12 +43,13 @@ pub struct SeriesWriter {
 }
 
 impl SeriesWriter {
-    /// Begins the table `name` in `folder`, and removes what an earlier run left of it there.
+    /// The table `name` in `folder`, where it begins with its first record and removes what an earlier run
+    /// left of it.
     ///
     /// After every `records_per_part` records the table on disk is complete up to there.
     ///
     /// # Errors
-    /// When the folder cannot be written, the keys differ in length, or two columns have one name.
+    /// When the keys differ in length, or two columns have one name.
     pub fn create(
         folder: &Path,
         name: &str,
@@ -69,7 +82,7 @@ impl SeriesWriter {
         };
         let (means, extremes) = (indices(Column::has_mean), indices(Column::has_extremes));
         Ok(Self {
-            parts: Parts::create(folder, name)?,
+            parts: Parts::new(folder, name),
             buffers: vec![vec![]; fields.len() - 1 - keys.len()],
             schema: Arc::new(Schema::new(fields)),
             accumulator: Accumulator::new(rows, columns.len(), means, extremes),
@@ -92,6 +105,46 @@ impl SeriesWriter {
     /// When `row` or the number of values is not that of the table.
     pub fn observe(&mut self, row: usize, values: &[f64]) {
         self.accumulator.observe(row, values);
+    }
+
+    /// The last values of a row, in the order of the columns; not-a-number until observed.
+    pub fn last(&self, row: usize) -> &[f64] {
+        self.accumulator.last_of_row(row)
+    }
+
+    /// What another writer needs to go on with the table from here.
+    pub fn save(&self) -> TableState {
+        TableState {
+            parts: self.parts.written,
+            times: self.times.clone(),
+            buffers: self.buffers.clone(),
+            accumulator: self.accumulator.clone(),
+        }
+    }
+
+    /// Goes on with the table on disk from where it was saved; what was recorded later is removed.
+    ///
+    /// # Errors
+    /// When another table was saved, the one on disk does not reach as far, or it cannot be written.
+    pub fn resume(&mut self, saved: TableState) -> Result<(), RecordingError> {
+        let TableState { parts, times, buffers, accumulator } = saved;
+        let values = times.len() * self.rows;
+        let fits = buffers.len() == self.buffers.len()
+            && buffers.iter().all(|buffer| buffer.len() == values)
+            && accumulator.is_like(&self.accumulator);
+        if !fits {
+            return Err(RecordingError::OtherTable { table: self.parts.joined.with_extension("") });
+        }
+        (self.times, self.buffers, self.accumulator) = (times, buffers, accumulator);
+        self.parts.cut(&self.schema, parts, self.records_per_part * self.rows)?;
+        if self.times.is_empty() {
+            return Ok(());
+        }
+        let records = self.batch(0).map_err(RecordingError::parquet(&self.parts.joined))?;
+        (0..self.times.len()).try_for_each(|record| {
+            let record = records.slice(record * self.rows, self.rows);
+            self.parts.append(&self.schema, Ok(record))
+        })
     }
 
     /// Records the instant: one row for each key.

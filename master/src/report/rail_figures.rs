@@ -205,7 +205,10 @@ impl RailSeries<'_> {
             all.push(at(chainage, &column, 1.0)?);
         }
         let column = |source: &str| format!("energy.{source}");
-        all.push(at("mean of the modelled rail".to_owned(), &column, facts.length_m)?);
+        // A run that was killed early has not said how long its rail is.
+        if facts.length_m > 0.0 {
+            all.push(at("mean of the modelled rail".to_owned(), &column, facts.length_m)?);
+        }
         Ok(all)
     }
 

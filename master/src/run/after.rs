@@ -2,6 +2,7 @@
 
 use std::io;
 
+use super::checkpoint::{CheckpointError, Checkpoints, Reached};
 use super::observe_error::ObserveError;
 use super::progress::Progress;
 use super::recorder::Recorder;
@@ -9,6 +10,7 @@ use super::stop::{Stopped, stopped};
 use crate::system::parallel;
 use crate::system::part::Part;
 use crate::system::step::System;
+use crate::system::times::Timer;
 use crate::system::unit::UnitError;
 use crate::train::layout::Layout;
 use crate::train::tape::Tape;
@@ -32,6 +34,9 @@ pub enum StepFailure {
     /// It could not be recorded.
     #[error(transparent)]
     Observe(#[from] ObserveError),
+    /// A checkpoint could not be written.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
 }
 
 /// The rails, which go on after the run.
@@ -54,7 +59,7 @@ struct Rail {
 
 impl Rails {
     /// The rails of a train, whose wheels' loads are kept if further trains shall come; `tape` makes an
-    /// empty tape.
+    /// empty tape for the rail with that number.
     ///
     /// # Errors
     /// When a tape cannot be made.
@@ -62,12 +67,12 @@ impl Rails {
         layout: &Layout,
         system: &System,
         traffic: Traffic,
-        tape: impl Fn() -> Result<Tape, E>,
+        tape: impl Fn(usize) -> Result<Tape, E>,
     ) -> Result<Self, E> {
         let mut rails = vec![];
         for holder in &layout.rails {
             let Some(part) = system.number(&holder.component) else { continue };
-            let tape = if traffic.has_further_trains() { Some(tape()?) } else { None };
+            let tape = traffic.has_further_trains().then(|| tape(rails.len())).transpose()?;
             rails.push(Rail { part, name: format!("{} rail", holder.side_name()), tape });
         }
         Ok(Self { rails, traffic })
@@ -100,8 +105,35 @@ impl Rails {
         Ok(())
     }
 
-    /// Takes the rails, which have come to `time`, through what is planned after the run, until somebody
+    /// Leaves the tapes to the system, and gives the number of steps on each, for another run.
+    ///
+    /// # Errors
+    /// When a tape cannot be written.
+    pub fn save(&mut self) -> Result<Vec<u64>, UnitError> {
+        let save = |Rail { name, tape, .. }: &mut Rail| {
+            let steps = tape.as_mut().map_or(Ok(0), Tape::save);
+            steps.map_err(|error| tape_error(name, &error))
+        };
+        self.rails.iter_mut().map(save).collect()
+    }
+
+    /// Goes on behind so many steps of each tape that another run has left.
+    ///
+    /// # Errors
+    /// When a tape has fewer.
+    pub fn resume(&mut self, saved: &[u64], system: &System) -> Result<(), UnitError> {
+        for (Rail { part, name, tape }, steps) in self.rails.iter_mut().zip(saved) {
+            let inputs = system.parts[*part].inputs.reals.values.len();
+            let resumed = tape.as_mut().map_or(Ok(()), |tape| tape.resume(*steps, inputs));
+            resumed.map_err(|error| tape_error(name, &error))?;
+        }
+        Ok(())
+    }
+
+    /// Takes the rails, which came to `time` in the run, through what is planned after it, until somebody
     /// wants it to stop.
+    ///
+    /// It begins behind what is `reached` already.
     ///
     /// # Errors
     /// When a step fails.
@@ -109,16 +141,23 @@ impl Rails {
         &mut self,
         run: &mut Continued<'_>,
         time: f64,
+        reached: Reached,
     ) -> Result<Option<Stopped>, FailedStep> {
-        for stage in self.traffic.stages(time) {
+        let (first, done) = match reached {
+            Reached::Run(_) => (0, 0),
+            Reached::After(stage, done) => (stage, done),
+        };
+        for (number, stage) in self.traffic.stages(time).into_iter().enumerate().skip(first) {
+            let done = if number == first { done } else { 0 };
             let stopped = match stage {
                 Stage::Alone { from, length, steps } => {
-                    self.each(run, Steps { from, length, steps, per_record: 1 }, |_, part| {
+                    let steps = Steps { stage: number, done, from, length, steps, per_record: 1 };
+                    self.each(run, steps, |_, part| {
                         part.inputs.reals.values.fill(0.0);
                         Ok(())
                     })?
                 }
-                Stage::Train { from } => self.further_train(run, from)?,
+                Stage::Train { from } => self.further_train(run, from, (number, done))?,
             };
             if stopped.is_some() {
                 return Ok(stopped);
@@ -127,16 +166,18 @@ impl Rails {
         Ok(None)
     }
 
-    /// A train does again what is on the tapes.
+    /// A train does again what is on the tapes; so many steps of this stage it has done.
     fn further_train(
         &mut self,
         run: &mut Continued<'_>,
         from: f64,
+        (stage, done): (usize, u64),
     ) -> Result<Option<Stopped>, FailedStep> {
         let mut steps = 0;
-        for Rail { name, tape, .. } in &mut self.rails {
-            let rewound = tape.as_mut().map_or(Ok(0), Tape::rewind);
-            steps = rewound.map_err(|error| FailedStep {
+        for Rail { part, name, tape } in &mut self.rails {
+            let inputs = run.system.parts[*part].inputs.reals.values.len();
+            let found = tape.as_mut().map_or(Ok(0), |tape| tape.seek(done, inputs));
+            steps = found.map_err(|error| FailedStep {
                 time: from,
                 source: tape_error(name, &error).into(),
             })?;
@@ -144,7 +185,7 @@ impl Rails {
         let every = self.every(run.system);
         let length = every as f64 * run.system.clock.length;
         let per_record = (run.recorder.every / every).max(1);
-        self.each(run, Steps { from, length, steps, per_record }, |rail, part| {
+        self.each(run, Steps { stage, done, from, length, steps, per_record }, |rail, part| {
             let Rail { name, tape, .. } = rail;
             let Some(tape) = tape else { return Ok(()) };
             tape.next(&mut part.inputs.reals.values).map_err(|error| tape_error(name, &error))
@@ -159,13 +200,14 @@ impl Rails {
         steps: Steps,
         load: fn(&mut Rail, &mut Part) -> Result<(), UnitError>,
     ) -> Result<Option<Stopped>, FailedStep> {
-        let Steps { from, length, steps, per_record } = steps;
-        for j in 0..steps {
+        let Steps { stage, done, from, length, steps, per_record } = steps;
+        for j in done..steps {
             let time = from + j as f64 * length;
+            let failed = |source| FailedStep { time, source };
             if let Some(stopped) = stopped(j, time) {
+                self.write_checkpoint(run, Reached::After(stage, j), time).map_err(failed)?;
                 return Ok(Some(stopped));
             }
-            let failed = |source| FailedStep { time, source };
             self.step(run.system, time, length, load).map_err(|error| failed(error.into()))?;
             if (j + 1).is_multiple_of(per_record) || j + 1 == steps {
                 let end = from + (j + 1) as f64 * length;
@@ -173,8 +215,24 @@ impl Rails {
                 recorded.map_err(|error| failed(error.into()))?;
                 run.progress.show_rails(end);
             }
+            let end = from + (j + 1) as f64 * length;
+            if run.checkpoints.as_ref().is_some_and(|checkpoints| checkpoints.is_due(end)) {
+                self.write_checkpoint(run, Reached::After(stage, j + 1), end).map_err(failed)?;
+            }
         }
         Ok(None)
+    }
+
+    /// Writes a checkpoint if the run writes any.
+    fn write_checkpoint(
+        &mut self,
+        run: &mut Continued<'_>,
+        reached: Reached,
+        time: f64,
+    ) -> Result<(), StepFailure> {
+        let Some(checkpoints) = &mut run.checkpoints else { return Ok(()) };
+        run.system.times.after = run.timer.elapsed();
+        Ok(checkpoints.write((reached, time), self.save()?, run.system, run.recorder)?)
     }
 
     fn step(
@@ -211,11 +269,17 @@ pub struct Continued<'r> {
     pub recorder: &'r mut Recorder,
     /// Tells how far it is.
     pub progress: &'r mut Progress,
+    /// Writes checkpoints, if they are wanted.
+    pub checkpoints: Option<&'r mut Checkpoints>,
+    /// Wall time of what comes after the run.
+    pub timer: Timer,
 }
 
-/// Equal steps, and after how many of them the rails are recorded.
+/// Equal steps of a stage, so many of them done, and after how many of them the rails are recorded.
 #[derive(Clone, Copy)]
 struct Steps {
+    stage: usize,
+    done: u64,
     from: f64,
     length: f64,
     steps: u64,
@@ -229,93 +293,5 @@ fn tape_error(name: &str, error: &io::Error) -> UnitError {
         action: "writing or reading".into(),
         status: None,
         last_message: Some(error.to_string().into()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scenario::Heat;
-    use crate::system::clock::Clock;
-    use crate::system::compile::compile;
-    use crate::system::mock::Mock;
-    use crate::system::structure::{
-        Component, Connection, Endpoint, Sampling, Schedule, Structure,
-    };
-    use crate::system::unit::Unit;
-    use crate::train::layout::RailHolder;
-
-    /// A rail of 2 exchange steps a step, which gets the time at the end of each step from a wheel: what
-    /// it got in the run comes again from the tape; alone its inputs are zero.
-    #[test]
-    fn a_train_comes_again_as_it_was_and_alone_there_is_none() {
-        let calls = Default::default();
-        let wheel: Box<dyn Unit> = Box::new(Mock::new(
-            "wheel",
-            &[("y".to_owned(), "output")],
-            &calls,
-            |v, time, length| {
-                v[0] = time + length;
-            },
-        ));
-        let variables = [("u".to_owned(), "input"), ("sum".to_owned(), "output")];
-        let rail: Box<dyn Unit> =
-            Box::new(Mock::new("rail", &variables, &calls, |v, _, length| v[1] += v[0] * length));
-        let component = |name: &str, stage, every| Component {
-            name: name.to_owned(),
-            schedule: Schedule { stage, every, ..Schedule::default() },
-            ..Component::default()
-        };
-        let (from, to) = (Endpoint::new("wheel", "y"), Endpoint::new("rail", "u"));
-        let structure = Structure {
-            components: vec![component("wheel", 0, 1), component("rail", 1, 2)],
-            connections: vec![Connection::of(
-                from,
-                to,
-                crate::interface::si::Linear::IDENTITY,
-                Sampling::Mean,
-            )],
-            ..Structure::default()
-        };
-        let clock = Clock { start: 0.0, length: 0.5 };
-        let mut system = compile(&structure, vec![wheel, rail], clock).unwrap();
-        let holder = RailHolder { component: "rail".to_owned(), side: 0 };
-        let layout = Layout { rails: vec![holder], ..Layout::default() };
-        // Two trains 10 min apart, and a quarter of an hour alone in two steps of 450 s.
-        let plan = "trains = { count = 2, headway_minutes = 10.0 }\ncool_down_minutes = 15.0\n\
-                    cool_down_step_s = 598.0";
-        let traffic = Traffic::of(&toml::from_str::<Heat>(plan).unwrap());
-        let folder = tempfile::tempdir().unwrap();
-        let mut rails = Rails::new(&layout, &system, traffic, || Tape::new(folder.path())).unwrap();
-        parallel::pool(1).unwrap().install(|| {
-            system.initialize(|_| 10.0).unwrap();
-            for k in 0..5 {
-                system.step(k).unwrap();
-                rails.observe(k, &system).unwrap();
-            }
-            assert_eq!(
-                rails.time(&system, 5),
-                2.0,
-                "an unfinished step of the rail does not count"
-            );
-            let sum = |system: &mut System| {
-                let tap = system.tap("rail", "sum").unwrap();
-                let Part { unit, outputs, .. } = &mut system.parts[1];
-                outputs.get(unit.as_mut()).unwrap();
-                system.value(&tap)
-            };
-            // Means of 0.5 and 1 s, and of 1.5 and 2 s, each for 1 s.
-            assert_eq!(sum(&mut system), 0.75 + 1.75);
-            let mut recorder = Recorder { every: 1, ..Recorder::default() };
-            let mut progress = Progress::new(5, 2.5, true);
-            let mut run =
-                Continued { system: &mut system, recorder: &mut recorder, progress: &mut progress };
-            rails.continue_after_run(&mut run, 2.0).unwrap();
-            assert_eq!(sum(&mut system), 2.0 * (0.75 + 1.75));
-        });
-        let calls = calls.lock().unwrap();
-        let steps = calls.iter().filter_map(|call| call.strip_prefix("rail step "));
-        let steps: Vec<_> = steps.collect();
-        assert_eq!(steps, ["0.000", "1.000", "2.000", "600.000", "601.000", "602.000", "1052.000"]);
     }
 }

@@ -7,6 +7,7 @@ use files::Mistake;
 use crate::files::file_error::FileError;
 use crate::report::ReportError;
 use crate::run::after::{FailedStep, StepFailure};
+use crate::run::checkpoint::CheckpointError;
 use crate::run::observe_error::ObserveError;
 use crate::ssp::SspError;
 use crate::system::parallel::ThreadsError;
@@ -61,6 +62,9 @@ pub enum RunError {
     /// Recording failed.
     #[error(transparent)]
     Observe(#[from] ObserveError),
+    /// A checkpoint cannot be written, or the run not go on from one.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
     /// The report cannot be written.
     #[error(transparent)]
     Report(#[from] ReportError),

@@ -125,8 +125,9 @@ impl Manifest {
 
     /// Adds what is known at the end: the wall time, and where it went; `stages` are the names of the
     /// stages.
-    pub fn finish(&mut self, wall: Duration, system: &System, stages: &[String]) {
+    pub fn finish(&mut self, system: &System, stages: &[String]) {
         let times = &system.times;
+        let wall = times.run;
         if let Some(run) = &mut self.run {
             run.wall_time_s = Some(wall.as_secs_f64());
         }
@@ -140,11 +141,17 @@ impl Manifest {
             ("exchange", times.exchange),
             ("recording", times.recording),
             ("rails after the run", times.after),
+            ("checkpoints", times.checkpoints),
         ];
         let others = others.map(|(part, time)| (part.to_owned(), time));
         let wall_time =
             |(part, time): (String, Duration)| WallTime { part, seconds: time.as_secs_f64() };
         self.wall_time_of = of_stages.chain(others).map(wall_time).collect();
+    }
+
+    /// The FMUs by their files, with their digests.
+    pub fn digests(&self) -> Vec<(String, String)> {
+        self.fmu.iter().map(|fmu| (fmu.file.clone(), fmu.sha256.clone())).collect()
     }
 
     /// Writes the manifest into the results folder.
@@ -210,6 +217,6 @@ fn fmus(system: &System) -> Vec<FmuEntry> {
 }
 
 /// The digest of a file's content as hexadecimal digits.
-fn sha256(content: &[u8]) -> String {
+pub fn sha256(content: &[u8]) -> String {
     Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
 }

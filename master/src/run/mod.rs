@@ -6,6 +6,7 @@
 //! | `options.rs`, `setup.rs`, `scenario.rs`, `package.rs`, `source.rs` | what is run, and how |
 //! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
 //! | `after.rs` | what the rails go through after the run |
+//! | `checkpoint` | from where a run can go on |
 //! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
 //! | `expected.rs` | the figures of a run against those expected |
 //! | `progress.rs`, `live.rs` | the progress bar |
@@ -16,6 +17,7 @@
 //! | `workplace.rs`, `error.rs` | threads and name of a run, and why it failed |
 
 mod after;
+mod checkpoint;
 pub mod error;
 pub mod expected;
 mod export;
@@ -40,10 +42,13 @@ mod train_tables;
 mod wiring;
 pub mod workplace;
 
+#[cfg(test)]
+mod after_tests;
+
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use after::{Continued, FailedStep, StepFailure};
+use checkpoint::{Beginning, CheckpointError, Checkpoints, Order, Reached, Subject};
 use error::RunError;
 pub use export::{Exported, export};
 use finished::Done;
@@ -61,8 +66,8 @@ pub use wiring::wiring;
 use workplace::Workplace;
 
 use crate::report::{self, MainFigure};
-use crate::system::parallel;
-use crate::system::times::Stopwatch;
+use crate::scenario::Times;
+use crate::system::times::{Stopwatch, Timer};
 use crate::system::unit::terminate;
 use crate::train::fmus::Folders;
 
@@ -72,11 +77,37 @@ use crate::train::fmus::Folders;
 /// # Errors
 /// When the scenario or package is wrong or a unit fails; what was recorded is complete.
 pub fn run(path: &Path, results: &Path, options: &Options) -> Result<Finished, RunError> {
+    run_or_resume(&Subject::new(path)?, results, options, checkpoint::begin)
+}
+
+/// Goes on with the run in a claimed folder of results, from its newest whole checkpoint.
+///
+/// What it writes is what it would have written anyway, on any number of threads. Of the `options` the threads
+/// count and whether it is quiet.
+///
+/// # Errors
+/// When there is no run that can go on, or a unit fails.
+pub fn resume(results: &Path, options: &Options) -> Result<Finished, RunError> {
+    let order = checkpoint::order_of(results)?;
+    let options = order.options(options);
+    // Its folder as it was written then: FMUs have it in their states.
+    run_or_resume(&order.subject, &order.results, &options, checkpoint::resume)
+}
+
+fn run_or_resume(
+    subject: &Subject,
+    results: &Path,
+    options: &Options,
+    begin: fn(&Order) -> Result<Beginning, CheckpointError>,
+) -> Result<Finished, RunError> {
+    let Subject { path, written } = subject;
     if source::is_system(path) {
         let workplace = Workplace::open(options.threads)?;
+        // With one thread all that an FMU sees, from loading to freeing, happens on it.
         return workplace.pool.install(|| {
-            let setup = package::setup(path, results, options, workplace.threads)?;
-            in_workplace(setup, &workplace, results, options.quiet)
+            let beginning = begin(&Order::new(subject, options, results, source::inputs(path)?)?)?;
+            let setup = package::setup((path, written), results, options, workplace.threads)?;
+            in_workplace(setup, &workplace, results, options.quiet, beginning)
         });
     }
     let (mut scenario, file, text) = crate::scenario::load(path)?;
@@ -90,10 +121,13 @@ pub fn run(path: &Path, results: &Path, options: &Options) -> Result<Finished, R
     scenario.fmus.isolated.clone_from(&options.isolate);
     let workplace = Workplace::open(options.threads)?;
     let folders = Folders { fmus: options.fmus.clone(), results: results.to_owned() };
-    // With one thread all that an FMU sees, from loading to freeing, happens on it.
     workplace.pool.install(|| {
+        let inputs = [vec![file.clone()], scenario.inputs(), folders.own_fmus()].concat();
+        let times = Times { checkpoint: scenario.record.checkpoint_s, ..options.times };
+        let ordered = Options { times, ..options.clone() };
+        let beginning = begin(&Order::new(subject, &ordered, results, inputs)?)?;
         let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
-        in_workplace(setup, &workplace, results, options.quiet)
+        in_workplace(setup, &workplace, results, options.quiet, beginning)
     })
 }
 
@@ -104,8 +138,9 @@ fn in_workplace(
     workplace: &Workplace,
     results: &Path,
     quiet: bool,
+    mut beginning: Beginning,
 ) -> Result<Finished, RunError> {
-    let outcome = perform(&mut setup, results, quiet);
+    let outcome = perform(&mut setup, results, quiet, &mut beginning);
     let done = match outcome {
         Ok(done) => done,
         Err(error) => {
@@ -117,6 +152,9 @@ fn in_workplace(
         }
     };
     let (report, figures) = write_report(&mut setup.manifest, results)?;
+    if done.stopped.is_none() {
+        beginning.checkpoints.map_or(Ok(()), Checkpoints::remove)?;
+    }
     let stages = setup.stages_with_units();
     let Setup { system, manifest, .. } = setup;
     Ok(Finished {
@@ -143,11 +181,17 @@ fn write_report(
 }
 
 /// Initialises, steps and records; whatever happens, what was computed is completed on disk.
-fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunError> {
+fn perform(
+    setup: &mut Setup,
+    results: &Path,
+    quiet: bool,
+    beginning: &mut Beginning,
+) -> Result<Done, RunError> {
     let Setup { steps, stop, .. } = *setup;
     let clock = setup.system.clock;
     let rails_run = setup.rails.time(&setup.system, steps);
     let rails_end = setup.rails.traffic.end(rails_run);
+    setup.check_states(beginning)?;
     setup.manifest.write(results)?;
     let Setup { system, rails, .. } = setup;
     system.initialize(|part| if rails.contain(part) { rails_end } else { stop })?;
@@ -156,27 +200,30 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
     setup.describe()?;
     // From now on a run that is killed can be reported.
     setup.manifest.write(results)?;
-    // The observed outputs as they are at the start.
-    parallel::for_each(&mut setup.system.parts, |part| part.take_outputs(clock.start))
-        .map_err(crate::system::start::StartError::from)?;
-    recorder.observe(0, &mut setup.system)?;
-    setup.recorded = true;
-
     let mut progress = Progress::new(steps, stop, quiet);
+    let reached = setup.begin(beginning.state.take(), &mut recorder, &mut progress)?;
     let notes = setup.manifest.run.iter().flat_map(|run| &run.notes);
-    notes.for_each(|note| progress.tell(note));
-    let begin = Instant::now();
+    beginning.notes.iter().chain(notes).for_each(|note| progress.tell(note));
+
+    let timer = Timer::after(setup.system.times.run);
+    let checkpoints = beginning.checkpoints.as_mut();
+    let (recorded, shown) = (&mut recorder, &mut progress);
     let mut stepping =
-        Stepping { setup, recorder: &mut recorder, progress: &mut progress, live: &live };
-    let mut outcome = stepping.run(steps);
-    let wall = begin.elapsed();
+        Stepping { setup, recorder: recorded, progress: shown, live: &live, checkpoints, timer };
+    let mut outcome = stepping.run(reached);
+    if let Reached::Run(_) = reached {
+        setup.system.times.run = stepping.timer.elapsed();
+    }
     if matches!(outcome, Ok(None)) {
         let Setup { system, rails, .. } = &mut *setup;
-        let mut run = Continued { system, recorder: &mut recorder, progress: &mut progress };
-        outcome =
-            rails.continue_after_run(&mut run, rails_run).map(|stop| stop.map(Early::Stopped));
+        let timer = Timer::after(system.times.after);
+        let checkpoints = beginning.checkpoints.as_mut();
+        let (recorder, progress) = (&mut recorder, &mut progress);
+        let mut run = Continued { system, recorder, progress, checkpoints, timer };
+        let stopped = rails.continue_after_run(&mut run, rails_run, reached);
+        outcome = stopped.map(|stopped| stopped.map(Early::Stopped));
+        run.system.times.after = run.timer.elapsed();
     }
-    setup.system.times.after = begin.elapsed() - wall;
     progress.finish();
 
     let Setup { system, stages, manifest, .. } = setup;
@@ -206,7 +253,8 @@ fn perform(setup: &mut Setup, results: &Path, quiet: bool) -> Result<Done, RunEr
         Err(failed) => failed.time,
     };
     let simulated = reached.min(clock.at(steps)) - clock.start;
-    manifest.finish(wall, system, stages);
+    let wall = system.times.run;
+    manifest.finish(system, stages);
     let outcome = outcome.map_err(|failed| RunError::step(failed, results));
     let outcome = outcome.and_then(|early| recorded.and(end).map(|()| early));
     manifest.end(simulated, ended(&outcome));
@@ -237,22 +285,26 @@ struct Stepping<'r> {
     recorder: &'r mut Recorder,
     progress: &'r mut Progress,
     live: &'r LiveFigures,
+    checkpoints: Option<&'r mut Checkpoints>,
+    timer: Timer,
 }
 
 impl Stepping<'_> {
-    /// Takes all units through the steps of the run, until somebody wants it to end.
-    fn run(&mut self, steps: u64) -> Result<Option<Early>, FailedStep> {
-        for k in 0..steps {
+    /// Takes all units through the steps of the run behind what is reached, until somebody wants it to end.
+    fn run(&mut self, reached: Reached) -> Result<Option<Early>, FailedStep> {
+        let Reached::Run(done) = reached else { return Ok(None) };
+        for k in done..self.setup.steps {
             let time = self.setup.system.clock.at(k);
             let failed = |source| FailedStep { time, source };
             if let Some(stopped) = stopped(k, time) {
+                self.write_checkpoint(k).map_err(failed)?;
                 return Ok(Some(Early::Stopped(stopped)));
             }
             let Err(source) = self.step(k) else { continue };
             let system = &mut self.setup.system;
             let wish = match &source {
                 StepFailure::Unit(error) => system.wish_to_end(error),
-                StepFailure::Observe(_) => None,
+                StepFailure::Observe(_) | StepFailure::Checkpoint(_) => None,
             };
             let wish = wish.ok_or_else(|| failed(source))?;
             self.recorder.record_end(k, &wish, system).map_err(|error| failed(error.into()))?;
@@ -269,6 +321,19 @@ impl Stepping<'_> {
         self.recorder.observe(k + 1, system)?;
         self.progress.show(k + 1, system.clock.at(k + 1), || self.live.text(system));
         system.times.recording += watch.lap();
-        Ok(())
+        let end = system.clock.at(k + 1);
+        match self.checkpoints.as_ref().is_some_and(|checkpoints| checkpoints.is_due(end)) {
+            true => self.write_checkpoint(k + 1),
+            false => Ok(()),
+        }
+    }
+
+    /// Writes a checkpoint at point `k`, if the run writes any.
+    fn write_checkpoint(&mut self, k: u64) -> Result<(), StepFailure> {
+        let Some(checkpoints) = &mut self.checkpoints else { return Ok(()) };
+        let Setup { system, rails, .. } = &mut *self.setup;
+        system.times.run = self.timer.elapsed();
+        let reached = (Reached::Run(k), system.clock.at(k));
+        Ok(checkpoints.write(reached, rails.save()?, system, self.recorder)?)
     }
 }

@@ -14,7 +14,7 @@ use crate::system::unit::Unit;
 /// Records outputs that are numbers.
 pub struct OutputTable {
     name: String,
-    writer: SeriesWriter,
+    series: SeriesWriter,
     columns: Vec<Column>,
     rows: Vec<Row>,
 }
@@ -48,10 +48,10 @@ impl OutputTable {
         if columns.is_empty() {
             return Ok(None);
         }
-        let writer = SeriesWriter::create(folder, name, keys, columns.clone(), per_part)?;
+        let series = SeriesWriter::create(folder, name, keys, columns.clone(), per_part)?;
         let row = |&part: &usize| Row::new(part, &numbers(unit(&part), &wanted));
         let rows = parts.iter().map(row).collect();
-        Ok(Some(Self { name: name.to_owned(), writer, columns, rows }))
+        Ok(Some(Self { name: name.to_owned(), series, columns, rows }))
     }
 
     /// Its name.
@@ -68,15 +68,15 @@ impl OutputTable {
             system.parts[row.part].take(&mut row.outputs, time)?;
             row.values.clear();
             row.values.extend(row.columns.iter().map(|&(kind, i)| row.outputs.number(kind, i)));
-            self.writer.observe(number, &row.values);
+            self.series.observe(number, &row.values);
         }
-        Ok(self.writer.record(time)?)
+        Ok(self.series.record(time)?)
     }
 
     /// The energies of the first row at the last record.
     pub fn energies(&self) -> Vec<EnergyLine> {
-        let values = self.rows.iter().take(1).flat_map(|row| &row.values);
-        let energies = self.columns.iter().zip(values).filter(|(column, _)| column.unit() == "J");
+        let values = self.columns.iter().zip(self.series.last(0));
+        let energies = values.filter(|(column, _)| column.unit() == "J");
         let line = |(column, joules): (&Column, &f64)| EnergyLine {
             name: column.name().to_owned(),
             joules: *joules,
@@ -84,12 +84,17 @@ impl OutputTable {
         energies.map(line).collect()
     }
 
+    /// Its series.
+    pub fn series(&mut self) -> &mut SeriesWriter {
+        &mut self.series
+    }
+
     /// Completes the table.
     ///
     /// # Errors
     /// When a file cannot be written.
     pub fn finish(self) -> Result<(), ObserveError> {
-        Ok(self.writer.finish()?)
+        Ok(self.series.finish()?)
     }
 }
 

@@ -24,14 +24,15 @@ const DEFAULT_DURATION: f64 = 1.0;
 /// Time between two records where the user names none, s.
 const DEFAULT_INTERVAL: f64 = 0.1;
 
-/// Sets the system at `path` up, to be run with so many threads in the folder `results`.
+/// Sets the system at a path, which the user has written so, up to be run.
 ///
-/// The FMUs of a package stay there, beside the results that they make.
+/// It is run with so many threads in the folder `results`, where the FMUs of a package stay beside the
+/// results that they make.
 ///
 /// # Errors
 /// When the package is wrong or does not fit its FMUs.
 pub(crate) fn setup(
-    path: &Path,
+    (path, written): (&Path, &str),
     results: &Path,
     options: &Options,
     threads: usize,
@@ -40,7 +41,7 @@ pub(crate) fn setup(
     for component in &mut structure.components {
         component.schedule.home = component.schedule.home.max(options.home());
     }
-    let file = path.display().to_string();
+    let file = written.to_owned();
     let imports = ssp::imports(&structure, &folder, &file)?;
     ssp::settle(&mut structure, &imports, &options.isolate, &file)?;
     ssp::leave_out_unmatched(&mut structure, &imports);

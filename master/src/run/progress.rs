@@ -13,6 +13,8 @@ pub struct Progress {
     begin: Instant,
     updated: Instant,
     duration: f64,
+    /// Time from which the run goes on, s.
+    from: f64,
 }
 
 impl Progress {
@@ -25,7 +27,14 @@ impl Progress {
         let style = ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}, {eta} left");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let now = Instant::now();
-        Self { bar, begin: now, updated: now, duration }
+        Self { bar, begin: now, updated: now, duration, from: 0.0 }
+    }
+
+    /// The run goes on from `done` steps and a time in s.
+    pub fn continue_from(&mut self, done: u64, time: f64) {
+        self.bar.set_position(done);
+        self.bar.reset_eta();
+        self.from = time;
     }
 
     /// Tells something that the user should know before the run is over.
@@ -41,7 +50,7 @@ impl Progress {
         }
         self.updated = now;
         self.bar.set_position(done);
-        let real_time = time / (now - self.begin).as_secs_f64();
+        let real_time = (time - self.from) / (now - self.begin).as_secs_f64();
         self.bar.set_message(format!(
             "{time:.1} of {:.0} s, {real_time:.2} x real time{}",
             self.duration,

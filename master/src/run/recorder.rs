@@ -6,6 +6,7 @@ use super::observe_error::ObserveError;
 use super::output_table::{OutputTable, table_name};
 use super::step_table::StepTable;
 use crate::fmi::watched;
+use crate::recording::{SeriesWriter, TableState};
 use crate::report::EnergyLine;
 use crate::system::step::{System, WishToEnd};
 
@@ -103,6 +104,27 @@ impl Recorder {
     pub fn energy(&self, name: &str) -> Vec<EnergyLine> {
         let table = self.outputs.iter().find(|table| table.name() == name);
         table.map(OutputTable::energies).unwrap_or_default()
+    }
+
+    /// What another recorder needs to go on from here.
+    pub fn save(&mut self) -> Vec<TableState> {
+        self.series().map(|series| series.save()).collect()
+    }
+
+    /// Goes on with the tables on disk from where they were saved.
+    ///
+    /// # Errors
+    /// When they are other tables, do not reach as far, or cannot be written.
+    pub fn resume(&mut self, saved: Vec<TableState>) -> Result<(), ObserveError> {
+        for (series, saved) in self.series().zip(saved) {
+            series.resume(saved)?;
+        }
+        Ok(())
+    }
+
+    fn series(&mut self) -> impl Iterator<Item = &mut SeriesWriter> {
+        let outputs = self.outputs.iter_mut().chain(&mut self.after).map(OutputTable::series);
+        self.tables.iter_mut().map(StepTable::series).chain(outputs)
     }
 
     /// Completes the files.

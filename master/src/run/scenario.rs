@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::after::Rails;
+use super::checkpoint::tape_file;
 use super::error::RunError;
 use super::manifest::Manifest;
 use super::setup::{Setup, Subject};
@@ -48,9 +49,13 @@ pub fn setup(
     let steps = (scenario.duration_s / scenario.step_s).round() as u64;
     let traffic = scenario.heat.as_ref().map(Traffic::of).unwrap_or_default();
     let folder = &folders.results;
-    let tape = || {
+    let tape = |number| {
         let error = |source| PrepareError::Tape { folder: folder.display().to_string(), source };
-        Tape::new(folder).map_err(error)
+        let tape = match scenario.record.checkpoint_s {
+            Some(_) => Tape::in_file(&tape_file(folder, number)),
+            None => Tape::new(folder),
+        };
+        tape.map_err(error)
     };
     let rails = Rails::new(&layout, &system, traffic, tape).map_err(RunError::prepare(file))?;
     let heat = scenario.heat.as_ref();

@@ -1,15 +1,20 @@
 //! A run that is ready to be initialised: of a scenario's train, or of a package.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::after::Rails;
+use super::checkpoint::{Beginning, CheckpointError, Checkpoints, Reached, RunState};
 use super::error::RunError;
 use super::live::LiveFigures;
 use super::manifest::Manifest;
 use super::observe_error::ObserveError;
+use super::progress::Progress;
 use super::recorder::Recorder;
 use super::train_tables;
 use crate::scenario::Scenario;
+use crate::system::parallel;
+use crate::system::start::StartError;
 use crate::system::step::System;
 use crate::train::layout::Layout;
 use crate::train::rails::RailInForce;
@@ -74,6 +79,63 @@ impl Setup {
         }
     }
 
+    /// Lets the run write no checkpoints, and says so, if there are units that cannot be saved.
+    ///
+    /// # Errors
+    /// When the folder of the checkpoints cannot be removed.
+    pub fn check_states(&mut self, beginning: &mut Beginning) -> Result<(), CheckpointError> {
+        let Some(checkpoints) = &mut beginning.checkpoints else { return Ok(()) };
+        let unable = self.system.units().filter(|unit| !unit.keeps_states());
+        let files: BTreeSet<_> = unable.map(|unit| unit.source_file()).collect();
+        if files.is_empty() {
+            checkpoints.fmus = self.manifest.digests();
+            return beginning.check_fmus(&self.manifest.digests());
+        }
+        let files = files.into_iter().collect::<Vec<_>>().join(", ");
+        let sentence = format!(
+            "no checkpoints are written: {files} cannot save its state for another program, which would              take canGetAndSetFMUstate and canSerializeFMUstate"
+        );
+        beginning.notes.push(sentence.clone());
+        self.manifest.warnings.push(sentence);
+        beginning.checkpoints.take().map_or(Ok(()), Checkpoints::remove)
+    }
+
+    /// Lets the initialised units begin at the start, which is recorded, or go on from a saved state.
+    ///
+    /// Gives what is done already.
+    ///
+    /// # Errors
+    /// When a unit refuses, or a file cannot be written.
+    pub fn begin(
+        &mut self,
+        saved: Option<RunState>,
+        recorder: &mut Recorder,
+        progress: &mut Progress,
+    ) -> Result<Reached, RunError> {
+        let Self { system, rails, recorded, .. } = self;
+        let Some(saved) = saved else {
+            // The observed outputs as they are at the start.
+            let start = system.clock.start;
+            parallel::for_each(&mut system.parts, |part| part.take_outputs(start))
+                .map_err(StartError::from)?;
+            recorder.observe(0, system)?;
+            *recorded = true;
+            return Ok(Reached::Run(0));
+        };
+        let RunState { reached, time, times, parts, tables, tapes, .. } = saved;
+        system.restore(parts).map_err(CheckpointError::from)?;
+        system.times = times;
+        rails.resume(&tapes, system).map_err(CheckpointError::from)?;
+        recorder.resume(tables)?;
+        *recorded = true;
+        let done = match reached {
+            Reached::Run(done) => done,
+            Reached::After(..) => self.steps,
+        };
+        progress.continue_from(done, time);
+        Ok(reached)
+    }
+
     /// Adds to the manifest what the units say of themselves after the initialisation, and what can be
     /// foreseen, in sentences.
     ///
@@ -90,7 +152,7 @@ impl Setup {
             return Ok(());
         };
         let in_force = RailInForce::of(system, &rail.component, scenario, heat);
-        let in_force = in_force.map_err(crate::system::start::StartError::from)?;
+        let in_force = in_force.map_err(StartError::from)?;
         facts.length_m = in_force.extent.length;
         facts.detection_threshold_k = in_force.detection_threshold;
         facts.model = in_force.model;

@@ -1,9 +1,11 @@
 //! What is run without a scenario: an SSP package, packed or as a folder, or a single FMU.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::error::RunError;
 use crate::files::archive;
+use crate::files::file_error::FileError;
 use crate::ssp::{self, STRUCTURE_FILE, SspError};
 use crate::system::structure::{Component, Structure};
 
@@ -33,6 +35,27 @@ pub fn read(path: &Path, target: &Path) -> Result<(PathBuf, Structure), RunError
             Ok((target.to_owned(), ssp::read(target, STRUCTURE_FILE)?))
         }
     }
+}
+
+/// The files that the system at `path` is made of, besides its FMUs if it is not packed.
+///
+/// # Errors
+/// When a folder cannot be read.
+pub fn inputs(path: &Path) -> Result<Vec<PathBuf>, FileError> {
+    let folder = match extension(path).as_str() {
+        "fmu" | "ssp" => return Ok(vec![path.to_owned()]),
+        "ssd" => folder_of(path),
+        _ => path.to_owned(),
+    };
+    let mut files = vec![];
+    for folder in [folder.join("resources"), folder].iter().filter(|folder| folder.is_dir()) {
+        for entry in fs::read_dir(folder).map_err(FileError::at(folder))? {
+            files.push(entry.map_err(FileError::at(folder))?.path());
+        }
+    }
+    files.retain(|file| matches!(extension(file).as_str(), "ssd" | "ssv" | "ssm" | "ssb"));
+    files.sort();
+    Ok(files)
 }
 
 /// An FMU as the only component of a system.

@@ -46,6 +46,11 @@ impl StepTable {
         Ok(self.series.record(time)?)
     }
 
+    /// Its series.
+    pub fn series(&mut self) -> &mut SeriesWriter {
+        &mut self.series
+    }
+
     /// Completes the files.
     ///
     /// # Errors

@@ -220,6 +220,11 @@ pub struct Record {
     /// Times whose temperature field the report shows, s.
     #[garde(inner(range(min = 0.0)))]
     pub heat_maps_at_s: Vec<f64>,
+    /// Simulated time between two checkpoints, from which `hotfoot run --resume` goes on, s.
+    ///
+    /// Left out: none is written.
+    #[garde(inner(range(min = 1e-3, max = 1e7)))]
+    pub checkpoint_s: Option<f64>,
 }
 
 impl Default for Record {
@@ -230,6 +235,7 @@ impl Default for Record {
             wheels_of: vec![],
             outputs: vec![],
             heat_maps_at_s: vec![60.0, 160.0],
+            checkpoint_s: None,
         }
     }
 }

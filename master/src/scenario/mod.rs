@@ -8,12 +8,14 @@
 //! | `value.rs` | values for variables of FMUs |
 //! | `times.rs` | times of the command line in place of the file's |
 //! | `check.rs` | bounds, and what one key demands of another |
+//! | `inputs.rs` | the files that it names |
 //! | `load.rs` | reading, with messages that point at the line |
 
 mod check;
 mod file;
 mod fmus;
 mod heat;
+mod inputs;
 mod load;
 mod times;
 mod value;

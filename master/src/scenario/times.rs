@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use files::{Document, Mistake};
+use serde::{Deserialize, Serialize};
 
 use super::check::check;
 use super::file::Scenario;
 
 /// Times in place of those of a scenario's file; those that are not stated stay.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub struct Times {
     /// Simulated time, s.
     pub duration: Option<f64>,
@@ -16,13 +17,19 @@ pub struct Times {
     pub step: Option<f64>,
     /// Time between two records, s.
     pub interval: Option<f64>,
+    /// Time between two checkpoints, s.
+    pub checkpoint: Option<f64>,
 }
 
 impl Times {
     /// The options of the command line that are stated, with their values.
     pub fn stated(&self) -> impl Iterator<Item = (&'static str, f64)> {
-        let options =
-            [("--duration", self.duration), ("--step", self.step), ("--interval", self.interval)];
+        let options = [
+            ("--duration", self.duration),
+            ("--step", self.step),
+            ("--interval", self.interval),
+            ("--checkpoint", self.checkpoint),
+        ];
         options.into_iter().filter_map(|(option, value)| Some((option, value?)))
     }
 
@@ -38,6 +45,7 @@ impl Times {
         ] {
             *key = time.unwrap_or(*key);
         }
+        scenario.record.checkpoint_s = self.checkpoint.or(scenario.record.checkpoint_s);
         // The times of the command line have no line in the file.
         check(scenario, &Document::new("", "").check()).map_err(|wrong| {
             let options = self.stated().map(|(option, value)| format!("{option} {value}"));

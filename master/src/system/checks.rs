@@ -44,9 +44,24 @@ pub struct Watch {
     ranges: Ranges,
     /// Variables that cannot change faster than so much.
     motions: Vec<Motion>,
+    /// What it has found so far.
+    found: Found,
+}
+
+/// What a watch has found so far.
+#[derive(Clone, Default, Serialize, Deserialize)]
+struct Found {
     warned: HashSet<(VariableType, u32)>,
     warnings: Vec<String>,
     more: usize,
+}
+
+/// All that changes of a watch while a system runs.
+#[derive(Serialize, Deserialize)]
+pub struct WatchState {
+    found: Found,
+    /// Time, s, and value of each variable whose changes are watched, at its last step.
+    last: Vec<Option<(f64, f64)>>,
 }
 
 impl Watch {
@@ -97,7 +112,7 @@ impl Watch {
             } else {
                 format!("is more than {:?}, the most that it can be", range.max)
             };
-            self.found(unit, variable, (value, time), &problem)?;
+            self.deal_with(unit, variable, (value, time), &problem)?;
         }
         Ok(())
     }
@@ -122,13 +137,13 @@ impl Watch {
             .collect();
         for (reference, jump) in jumps {
             let variable = (VariableType::Real, reference);
-            self.found(unit, variable, (jump.value, time), &jump.to_string())?;
+            self.deal_with(unit, variable, (jump.value, time), &jump.to_string())?;
         }
         Ok(())
     }
 
     /// Deals with a value that cannot be.
-    fn found(
+    fn deal_with(
         &mut self,
         unit: &dyn Unit,
         variable: (VariableType, u32),
@@ -151,22 +166,37 @@ impl Watch {
                 last_message: Some(format!("the value {problem}").into()),
             });
         }
-        if self.warned.insert(variable) {
-            match self.warnings.len() < MOST_WARNINGS {
-                true => self.warnings.push(format!("{} {problem}", what())),
-                false => self.more += 1,
+        let Found { warned, warnings, more } = &mut self.found;
+        if warned.insert(variable) {
+            match warnings.len() < MOST_WARNINGS {
+                true => warnings.push(format!("{} {problem}", what())),
+                false => *more += 1,
             }
         }
         Ok(())
     }
 
+    /// What another watch over the same variables needs to go on from here.
+    pub fn save(&self) -> WatchState {
+        let last = self.motions.iter().map(|motion| motion.last).collect();
+        WatchState { found: self.found.clone(), last }
+    }
+
+    /// Goes on from what another watch over the same variables has saved.
+    pub fn restore(&mut self, saved: WatchState) {
+        self.found = saved.found;
+        for (motion, last) in self.motions.iter_mut().zip(saved.last) {
+            motion.last = last;
+        }
+    }
+
     /// Takes out the warnings.
     pub fn take_warnings(&mut self) -> Vec<String> {
-        let more = match std::mem::take(&mut self.more) {
+        let more = match std::mem::take(&mut self.found.more) {
             0 => None,
             more => Some(format!("{more} more variables have values that cannot be")),
         };
-        std::mem::take(&mut self.warnings).into_iter().chain(more).collect()
+        std::mem::take(&mut self.found.warnings).into_iter().chain(more).collect()
     }
 }
 
@@ -208,8 +238,8 @@ mod tests {
             for checks in [Checks::Finite, Checks::Error] {
                 let error = part(checks, &[0.0, value]).advance(2.0, 0.5).unwrap_err().to_string();
                 let wanted = format!(
-                    "m (a mock): the check of y1 = {value:?} at 2.5 s failed: the value is not a \
-                     finite number"
+                    "m: the value is not a finite number (a mock: the check of y1 = {value:?} at \
+                     2.5 s failed)"
                 );
                 assert_eq!(error, wanted);
             }

@@ -12,7 +12,7 @@ pub struct Motion {
     /// Its index among the outputs, once it is known.
     index: Option<usize>,
     /// Time, s, and value at the last step.
-    last: Option<(f64, f64)>,
+    pub(super) last: Option<(f64, f64)>,
 }
 
 /// A change that was too fast.

@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use super::checks::Watch;
+use serde::{Deserialize, Serialize};
+
+use super::checks::{Watch, WatchState};
 use super::clock::Clock;
 use super::signals::Signals;
 use super::structure::Sampling;
@@ -34,6 +36,19 @@ pub struct Part {
     pub(super) sums: Vec<f64>,
     /// What becomes of the sum of each of them.
     pub(super) samplings: Vec<Sampling>,
+}
+
+/// All that changes of a part while a system runs.
+#[derive(Serialize, Deserialize)]
+pub struct PartState {
+    /// The unit's own.
+    #[serde(with = "serde_bytes")]
+    unit: Vec<u8>,
+    inputs: Signals,
+    outputs: Signals,
+    watch: WatchState,
+    wall: Duration,
+    sums: Vec<f64>,
 }
 
 impl Part {
@@ -152,6 +167,40 @@ impl Part {
             }
             *sum = 0.0;
         }
+    }
+
+    /// What another run needs to go on from here.
+    ///
+    /// # Errors
+    /// When the unit refuses.
+    pub fn save(&mut self) -> Result<PartState, UnitError> {
+        Ok(PartState {
+            unit: self.unit.save()?,
+            inputs: self.inputs.clone(),
+            outputs: self.outputs.clone(),
+            watch: self.watch.save(),
+            wall: self.wall,
+            sums: self.sums.clone(),
+        })
+    }
+
+    /// Goes on from what the same part of another run has saved.
+    ///
+    /// # Errors
+    /// When the unit refuses, or it was saved by another part.
+    pub fn restore(&mut self, saved: PartState) -> Result<(), UnitError> {
+        let PartState { unit, inputs, outputs, watch, wall, sums } = saved;
+        let same = inputs.has_variables_of(&self.inputs)
+            && outputs.has_variables_of(&self.outputs)
+            && sums.len() == self.sums.len();
+        if !same {
+            return Err(self.unit.differs("it is one with other variables"));
+        }
+        self.unit.restore(&unit)?;
+        (self.inputs, self.outputs, self.sums) = (inputs, outputs, sums);
+        self.watch.restore(watch);
+        self.wall = wall;
+        Ok(())
     }
 
     /// An input as `component.variable`, for messages.

@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use serde::{Deserialize, Serialize};
+
 use super::structure::Value;
 use super::unit::{Unit, UnitError};
 use crate::interface::VariableType;
@@ -11,14 +13,16 @@ use crate::interface::range::Range;
 const ROUNDING: f64 = 1e-13;
 
 /// Variables of one type that are set or got together.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Bank<T> {
     /// Value references.
     references: Vec<u32>,
     /// Their values.
     pub values: Vec<T>,
     /// The least and the greatest value that each of them may have.
+    #[serde(skip)]
     lower: Vec<T>,
+    #[serde(skip)]
     upper: Vec<T>,
 }
 
@@ -94,7 +98,7 @@ impl Bound for i32 {
 pub type Ranges = HashMap<(VariableType, u32), Range>;
 
 /// Variables of all types that are set or got together.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Signals {
     /// Real variables.
     pub reals: Bank<f64>,
@@ -155,6 +159,13 @@ impl Signals {
             Value::Text(_) => return false,
         }
         true
+    }
+
+    /// Whether they are the same variables.
+    pub(super) fn has_variables_of(&self, other: &Self) -> bool {
+        self.reals.references == other.reals.references
+            && self.integers.references == other.integers.references
+            && self.booleans.references == other.booleans.references
     }
 
     /// Whether all values are finite and within their ranges.

@@ -13,7 +13,7 @@ use super::checks::Checks;
 use super::clock::Clock;
 use super::links::Links;
 use super::parallel;
-use super::part::Part;
+use super::part::{Part, PartState};
 use super::times::{StepTimes, Stopwatch};
 use super::unit::{Unit, UnitError};
 
@@ -87,6 +87,30 @@ impl System {
             *time += watch.lap();
         }
         Ok(())
+    }
+
+    /// What another system of the same parts needs to go on from here.
+    ///
+    /// # Errors
+    /// When a unit refuses.
+    pub fn save(&mut self) -> Result<Vec<PartState>, UnitError> {
+        let mut saved: Vec<_> = self.parts.iter_mut().map(|part| (part, None)).collect();
+        parallel::for_each(&mut saved, |(part, state)| {
+            *state = Some(part.save()?);
+            Ok(())
+        })?;
+        Ok(saved.into_iter().filter_map(|(_, state)| state).collect())
+    }
+
+    /// Goes on, when the initialisation has ended, from what another system of the same parts has saved.
+    ///
+    /// # Errors
+    /// When a unit refuses.
+    pub fn restore(&mut self, saved: Vec<PartState>) -> Result<(), UnitError> {
+        let mut pairs: Vec<_> = self.parts.iter_mut().zip(saved.into_iter().map(Some)).collect();
+        parallel::for_each(&mut pairs, |(part, state)| {
+            state.take().map_or(Ok(()), |state| part.restore(state))
+        })
     }
 
     /// The wish of the unit whose step failed with this error, if it failed to end the run.

@@ -2,15 +2,21 @@
 
 use std::time::{Duration, Instant};
 
+use serde::{Deserialize, Serialize};
+
 /// Wall time of the parts of all steps so far, and of what follows.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct StepTimes {
+    /// All steps of the run.
+    pub run: Duration,
     /// Steps of the units of each stage, all threads together from the first to the last.
     pub stages: Vec<Duration>,
     /// The exchange between them.
     pub exchange: Duration,
     /// Recording.
     pub recording: Duration,
+    /// Checkpoints.
+    pub checkpoints: Duration,
     /// What goes on after the run, with recording.
     pub after: Duration,
 }
@@ -24,6 +30,24 @@ impl StepTimes {
     /// All parts of the steps.
     pub fn of_steps(&self) -> Duration {
         self.stages.iter().sum::<Duration>() + self.exchange + self.recording
+    }
+}
+
+/// Measures the time of what may have begun in another run.
+pub struct Timer {
+    before: Duration,
+    begin: Instant,
+}
+
+impl Timer {
+    /// Goes on behind a time.
+    pub fn after(before: Duration) -> Self {
+        Self { before, begin: Instant::now() }
+    }
+
+    /// The time until now.
+    pub fn elapsed(&self) -> Duration {
+        self.before + self.begin.elapsed()
     }
 }
 

@@ -154,6 +154,27 @@ pub trait Unit: Send {
         None
     }
 
+    /// Whether it can be saved between two steps, and another one of its kind be set back.
+    fn keeps_states(&self) -> bool {
+        false
+    }
+
+    /// All that another unit of its kind needs to go on from here, bit for bit, as bytes.
+    ///
+    /// # Errors
+    /// When the unit refuses, or cannot be saved at all.
+    fn save(&mut self) -> Result<Vec<u8>, UnitError> {
+        Err(self.lacks("states"))
+    }
+
+    /// Goes on, when its initialisation has ended, from what another unit of its kind has saved.
+    ///
+    /// # Errors
+    /// When the unit refuses, or what was saved is not of its kind.
+    fn restore(&mut self, _: &[u8]) -> Result<(), UnitError> {
+        Err(self.lacks("states"))
+    }
+
     /// Ends the run.
     ///
     /// # Errors
@@ -168,6 +189,17 @@ pub trait Unit: Send {
             action: format!("setting or getting of {variables}, of which it has none,").into(),
             status: None,
             last_message: None,
+        }
+    }
+
+    /// The error of a unit that cannot go on from what was saved.
+    fn differs(&self, reason: &str) -> UnitError {
+        UnitError {
+            instance: self.name().into(),
+            source_file: self.source_file().into(),
+            action: "going on from its saved state".into(),
+            status: None,
+            last_message: Some(reason.into()),
         }
     }
 

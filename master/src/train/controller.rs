@@ -167,6 +167,23 @@ impl Unit for ControllerUnit {
         self.give(force)
     }
 
+    fn keeps_states(&self) -> bool {
+        true
+    }
+
+    fn save(&mut self) -> Result<Vec<u8>, UnitError> {
+        let state = (self.controller.integral(), self.values);
+        Ok(postcard::to_allocvec(&state).expect("plain data can always be serialized"))
+    }
+
+    fn restore(&mut self, saved: &[u8]) -> Result<(), UnitError> {
+        let state = postcard::from_bytes(saved).map_err(|error| self.differs(&error.to_string()));
+        let (integral, values) = state?;
+        self.values = values;
+        self.controller.restore(integral);
+        Ok(())
+    }
+
     fn terminate(&mut self) -> Result<(), UnitError> {
         Ok(())
     }

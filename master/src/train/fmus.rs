@@ -18,6 +18,13 @@ pub struct Folders {
 }
 
 impl Folders {
+    /// The files of Hotfoot's own FMUs that are there.
+    pub fn own_fmus(&self) -> Vec<PathBuf> {
+        let file = |name: &str| self.fmus.join(format!("{name}.fmu"));
+        let files = ["longitudinal", "vehicle", "railheat", "synchronisation"].map(file);
+        files.into_iter().filter(|file| file.exists()).collect()
+    }
+
     /// Packs one of Hotfoot's own FMUs with the resources that `write` makes, and imports it.
     pub(super) fn packed(
         &self,

@@ -7,7 +7,7 @@
 //! | `structure.rs`, `vehicles.rs`, `rails.rs`, `layout.rs` | the components of a scenario, and who is what |
 //! | `fmus.rs`, `resources.rs`, `parameters.rs` | FMUs packed for the scenario, and their parameters |
 //! | `controller.rs` | the controller of a vehicle |
-//! | `follow.rs` | a vehicle whose FMU has failed and which follows the train |
+//! | `follow.rs`, `following.rs` | vehicles whose FMUs have failed and which follow the train |
 //! | `limits.rs` | the physical bounds of the roles, told to the parts that fill them |
 //! | `locomotives.rs` | which vehicles are locomotives |
 //! | `signals.rs` | signals of the train by name |
@@ -18,6 +18,7 @@ pub mod controller;
 pub mod error;
 pub mod fmus;
 mod follow;
+mod following;
 
 pub mod layout;
 mod limits;

@@ -1,11 +1,11 @@
 //! What the wheels do to a rail, step by step, on disk: so that a train can pass again without
 //! being computed again.
 
-use std::fs::File;
-use std::io::{self, BufReader, BufWriter, Read, Seek, Write};
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-/// The inputs of all steps of a rail, in a file without a name that goes with it.
+/// The inputs of all steps of a rail.
 pub struct Tape {
     writer: BufWriter<File>,
     reader: BufReader<File>,
@@ -13,12 +13,24 @@ pub struct Tape {
 }
 
 impl Tape {
-    /// An empty tape on the disk of `folder`.
+    /// An empty tape on the disk of `folder`, in a file without a name that goes with it.
     ///
     /// # Errors
     /// When the folder cannot be written.
     pub fn new(folder: &Path) -> io::Result<Self> {
-        let file = tempfile::tempfile_in(folder)?;
+        Self::of(tempfile::tempfile_in(folder)?)
+    }
+
+    /// The tape in `file`, on which another run can go on; it is empty until that is asked for.
+    ///
+    /// # Errors
+    /// When the file cannot be opened or made.
+    pub fn in_file(file: &Path) -> io::Result<Self> {
+        let mut options = OpenOptions::new();
+        Self::of(options.read(true).write(true).create(true).truncate(false).open(file)?)
+    }
+
+    fn of(file: File) -> io::Result<Self> {
         let reader = BufReader::new(file.try_clone()?);
         Ok(Self { writer: BufWriter::new(file), reader, steps: 0 })
     }
@@ -32,13 +44,37 @@ impl Tape {
         inputs.iter().try_for_each(|value| self.writer.write_all(&value.to_le_bytes()))
     }
 
-    /// Goes back to the first step and gives the number of steps.
+    /// Leaves everything to the system and gives the number of steps.
     ///
     /// # Errors
     /// When the disk is full.
-    pub fn rewind(&mut self) -> io::Result<u64> {
+    pub fn save(&mut self) -> io::Result<u64> {
         self.writer.flush()?;
-        self.reader.rewind()?;
+        Ok(self.steps)
+    }
+
+    /// Goes on behind so many steps of so many inputs that another run has left in the file.
+    ///
+    /// # Errors
+    /// When there are fewer.
+    pub fn resume(&mut self, steps: u64, inputs: usize) -> io::Result<()> {
+        let length = offset(steps, inputs);
+        if self.writer.get_ref().metadata()?.len() < length {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        }
+        self.writer.get_ref().set_len(length)?;
+        self.writer.seek(SeekFrom::Start(length))?;
+        self.steps = steps;
+        Ok(())
+    }
+
+    /// Goes to the step of that number, from zero, of so many inputs each, and gives the number of steps.
+    ///
+    /// # Errors
+    /// When the disk is full.
+    pub fn seek(&mut self, step: u64, inputs: usize) -> io::Result<u64> {
+        self.writer.flush()?;
+        self.reader.seek(SeekFrom::Start(offset(step, inputs)))?;
         Ok(self.steps)
     }
 
@@ -56,6 +92,11 @@ impl Tape {
     }
 }
 
+/// Where a step begins in the file.
+fn offset(step: u64, inputs: usize) -> u64 {
+    step * inputs as u64 * size_of::<f64>() as u64
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -69,7 +110,7 @@ mod tests {
             tape.add(&step(k)).unwrap();
         }
         for _ in 0..2 {
-            assert_eq!(tape.rewind().unwrap(), 5000);
+            assert_eq!(tape.seek(0, 3).unwrap(), 5000);
             let mut inputs = [0.0; 3];
             for k in 0..5000 {
                 tape.next(&mut inputs).unwrap();
@@ -77,5 +118,26 @@ mod tests {
             }
             assert!(tape.next(&mut inputs).is_err(), "the tape has ended");
         }
+    }
+    /// Another run goes on behind some of the steps; those behind them come anew.
+    #[test]
+    fn property_a_tape_goes_on_in_another_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("tape");
+        let mut killed = Tape::in_file(&file).unwrap();
+        (0..7).for_each(|k| killed.add(&[f64::from(k), 0.5]).unwrap());
+        assert_eq!(killed.save().unwrap(), 7);
+        let mut resumed = Tape::in_file(&file).unwrap();
+        resumed.resume(4, 2).unwrap();
+        (10..12).for_each(|k| resumed.add(&[f64::from(k), 0.5]).unwrap());
+        assert_eq!(resumed.seek(3, 2).unwrap(), 6);
+        for expected in [3.0, 10.0, 11.0] {
+            let mut inputs = [0.0; 2];
+            resumed.next(&mut inputs).unwrap();
+            assert_eq!(inputs, [expected, 0.5]);
+        }
+        assert!(resumed.next(&mut [0.0; 2]).is_err(), "the tape has ended");
+        let error = Tape::in_file(&file).unwrap().resume(7, 2).unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::UnexpectedEof);
     }
 }

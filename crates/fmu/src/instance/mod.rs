@@ -52,6 +52,8 @@ pub struct Instance<M: Model> {
     pub(crate) built: Option<Built<M>>,
     name: String,
     resources: PathBuf,
+    /// The same as texts name it.
+    resource_folder: Arc<str>,
     /// Kept, so that a step does not allocate one.
     pub(crate) log: Log,
 }
@@ -84,6 +86,7 @@ impl<M: Model> Instance<M> {
             built: None,
             name: name.to_owned(),
             resources: resources.to_owned(),
+            resource_folder: resources.to_string_lossy().into(),
             log: Log::default(),
         })
     }

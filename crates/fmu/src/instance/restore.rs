@@ -22,6 +22,7 @@ impl<M: Model> Instance<M> {
                 time: instance.time,
                 values: instance.values.clone(),
                 model: instance.built.as_ref().map(SavedModel::of),
+                resources: Arc::clone(&instance.resource_folder),
             })
         })
     }
@@ -36,6 +37,7 @@ impl<M: Model> Instance<M> {
             state.phase = instance.phase;
             state.experiment = instance.experiment;
             state.time = instance.time;
+            state.resources = Arc::clone(&instance.resource_folder);
             state.values.clone_from(&instance.values);
             match (&mut state.model, &instance.built) {
                 (Some(saved), Some(built)) => {
@@ -70,7 +72,8 @@ impl<M: Model> Instance<M> {
     /// When the bytes are damaged or come from another interface.
     pub fn deserialize_state(&mut self, bytes: &[u8]) -> Result<SavedState<M>, Error> {
         self.call(Call::DeSerializeFMUstate, |instance| {
-            let state = SavedState::from_bytes(bytes, instance.guid())?;
+            let mut state = SavedState::from_bytes(bytes, instance.guid())?;
+            state.move_resources(&instance.resource_folder);
             instance.check_state(&state)?;
             instance.check_values(&state)?;
             Ok(state)

@@ -45,6 +45,8 @@ pub struct SavedState<M: Model> {
     pub(crate) time: f64,
     pub(crate) values: Values,
     pub(crate) model: Option<SavedModel<M>>,
+    /// Where the resources of the instance were, in which texts may name files.
+    pub(crate) resources: Arc<str>,
 }
 
 /// A saved model: its state, and how to build it anew if the instance has none that fits.
@@ -81,6 +83,24 @@ impl<M: Model> SavedState<M> {
     pub fn to_bytes(&self) -> Vec<u8> {
         postcard::to_allocvec(&(Header::of::<M>(self.guid), self))
             .expect("a state is plain data, which can always be serialized")
+    }
+
+    /// Lets all texts that name files in the FMU's resources name them where these are now: another
+    /// program, or the same one at another time, unpacks the FMU elsewhere.
+    pub(crate) fn move_resources(&mut self, now: &Arc<str>) {
+        let before = std::mem::replace(&mut self.resources, Arc::clone(now));
+        if before == *now || before.is_empty() {
+            return;
+        }
+        // Nobody else has the origin yet of a state that was just read.
+        let origin = self.model.as_mut().and_then(|model| Arc::get_mut(&mut model.origin));
+        let values = [&mut self.values].into_iter().chain(origin.map(|origin| &mut origin.values));
+        for text in values.flat_map(|values| &mut values.texts) {
+            let inside = text.strip_prefix(&*before).filter(|rest| rest.starts_with(['/', '\\']));
+            if let Some(inside) = inside {
+                *text = format!("{now}{inside}");
+            }
+        }
     }
 
     /// Reads a state of the interface `guid`.

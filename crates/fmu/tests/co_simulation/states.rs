@@ -143,6 +143,27 @@ fn a_state_of_another_interface_is_refused() {
     assert_eq!(other.free_state(&mut state), Status::Ok);
 }
 
+/// Another program unpacks the FMU into another folder: texts that name files in it follow, others stay.
+#[test]
+fn a_serialized_state_names_the_resources_where_they_are_now() {
+    let folders = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
+    let [before, after] = folders.each_ref().map(|folder| folder.path().display().to_string());
+    let [mut here, mut there] = folders.each_ref().map(|folder| native_in(folder.path()));
+    here.setup_experiment(0.0, None).expect("times");
+    here.enter_initialization_mode().expect("it may begin");
+    for (named, expected) in [
+        (format!("{before}/rows.csv"), format!("{after}/rows.csv")),
+        (format!("{before}-more/rows.csv"), format!("{before}-more/rows.csv")),
+        ("rows.csv".to_owned(), "rows.csv".to_owned()),
+    ] {
+        here.set_string(&[0], [named.as_str()]).expect("the spring has one String");
+        let bytes = here.save().expect("a state").to_bytes();
+        let state = there.deserialize_state(&bytes).expect("a state");
+        there.restore(&state).expect("a state");
+        assert_eq!(there.get_string(&[0]).expect("a String").next(), Some(expected));
+    }
+}
+
 #[test]
 fn bytes_that_are_no_state_are_refused() {
     let fmu = Fmu::running();

@@ -5,16 +5,18 @@ use std::path::Path;
 
 use field::FieldError;
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values, Variables};
+use serde::{Deserialize, Serialize};
 
 use super::build::build;
-use super::chosen_model::{ChosenModel, State};
-use super::field_file::FieldFile;
+use super::chosen_model::{self, ChosenModel};
+use super::field_file::{FieldFile, Written};
 use super::inputs::WheelInputs;
 use super::parameters::common::FieldFailure;
 use super::shape::Shape;
 use super::signals::Signals;
 use super::weather_source::WeatherSource;
 use crate::contact::Wheel;
+use crate::heat_model::HeatModel;
 use crate::line::{Line, Stray};
 
 /// Heat in one rail from the wheels of a train.
@@ -26,6 +28,14 @@ pub struct RailHeat {
     probes: Vec<usize>,
     field: Option<FieldFile>,
     weather: WeatherSource,
+}
+
+/// What an FMU state saves.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct State {
+    model: chosen_model::State,
+    /// How far the field has been written, if one is wanted.
+    field: Option<Written>,
 }
 
 impl Model for RailHeat {
@@ -83,20 +93,27 @@ impl Model for RailHeat {
         }
         let Interval { start, length } = interval;
         let weather = self.weather.at(start + 0.5 * length, signals, values)?;
+        self.write_field(signals, values, log, |field, model| field.write_start(model))?;
         if let Some(stray) = self.model.step(&self.wheels, &weather, start, length) {
             log.warning(self.warning_of_stray(signals, stray, start + length));
         }
-        self.write_field(signals, values, start + length, log)?;
+        self.write_field(signals, values, log, |field, model| {
+            field.write_if_due(start + length, model)
+        })?;
         self.write_outputs(signals, values);
         Ok(())
     }
 
     fn state(&self) -> Cow<'_, State> {
-        Cow::Owned(self.model.state())
+        let field = self.field.as_ref().map(FieldFile::written);
+        Cow::Owned(State { model: self.model.state(), field })
     }
 
     fn restore(&mut self, state: State) {
-        self.model.restore(state);
+        self.model.restore(state.model);
+        if let (Some(field), Some(written)) = (&mut self.field, state.field) {
+            field.continue_from(written);
+        }
     }
 }
 
@@ -118,28 +135,26 @@ impl RailHeat {
             return Ok(());
         }
         let interval = values[signals.common.field_interval];
-        match FieldFile::create(Path::new(path), interval, start_time, &*self.model) {
-            Ok(field) => self.field = Some(field),
-            Err(error) => field_failed(signals, values, error, log)?,
-        }
-        Ok(())
+        let (field, begun) = FieldFile::new(Path::new(path), interval, start_time, &*self.model);
+        self.field = Some(field);
+        self.write_field(signals, values, log, |_, _| begun)
     }
 
-    /// Writes the field if it is time; what a failure means is the user's choice.
+    /// Writes the field as `write` says; what a failure means is the user's choice.
     fn write_field(
         &mut self,
         signals: &Signals,
         values: &Values,
-        time: f64,
         log: &mut Log,
+        write: impl FnOnce(&mut FieldFile, &dyn HeatModel) -> Result<(), FieldError>,
     ) -> Result<(), ModelError> {
         let Some(field) = &mut self.field else {
             return Ok(());
         };
-        let Err(error) = field.write_if_due(time, &*self.model) else {
+        let Err(error) = write(field, &*self.model) else {
             return Ok(());
         };
-        self.field = None;
+        field.stop();
         field_failed(signals, values, error, log)
     }
 

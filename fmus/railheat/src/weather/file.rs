@@ -44,8 +44,9 @@ pub enum WeatherFileError {
     File(#[from] Mistake),
     /// The file does not cover a time.
     #[error(
-        "weather_file {file} has weather from {first} s to {last} s, but the run needs {time} s; it must cover \
-         all of the run, the time after the train included"
+        "weather_file {file} has weather from {first} s to {last} s, but the run needs {} s; it must cover \
+         all of the run, the time after the train included",
+        (1e3 * time).round() / 1e3
     )]
     NotCovered {
         /// File name.

@@ -46,6 +46,8 @@ pub enum Call {
     EnterInitialization(f64, f64),
     ExitInitialization,
     Step(f64, f64),
+    Save,
+    Restore(#[serde(with = "serde_bytes")] Vec<u8>),
     Terminate,
 }
 
@@ -56,6 +58,7 @@ pub enum Given {
     Reals(Vec<f64>),
     Integers(Vec<i32>),
     Text(String),
+    Saved(#[serde(with = "serde_bytes")] Vec<u8>),
 }
 
 /// What the process answers.

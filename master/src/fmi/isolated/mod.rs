@@ -4,6 +4,7 @@
 //! | file | part |
 //! |---|---|
 //! | `unit.rs` | such an instance as a [`Unit`](crate::system::unit::Unit) |
+//! | `line.rs` | what goes from it to its process and back |
 //! | `worker.rs` | what its process does |
 //! | `process.rs` | its process, seen from the run |
 //! | `death.rs` | why it has ended |
@@ -13,6 +14,7 @@
 //! The process is this program again. It ends with the run, whichever way that ends.
 
 mod death;
+mod line;
 mod mailbox;
 mod message;
 mod process;

@@ -4,44 +4,27 @@
 //! what was got behind the step before. The process makes the same calls in the same order as this one
 //! would.
 
-use std::io::Write;
 use std::sync::Arc;
 
-use super::death::Death;
-use super::message::{Answer, Call, Failure, Given, Instance, Request};
-use super::process::{Process, WAITING};
-use crate::fmi::binding::known_status;
+use super::line::Line;
+use super::message::{Call, Given, Instance, Request};
 use crate::fmi::import::Import;
-use crate::fmi::messages::Messages;
-use crate::fmi::watched::{Label, Limit, calling, label};
+use crate::fmi::state::Saved;
+use crate::fmi::watched::Limit;
 use crate::interface::Interface;
 use crate::system::unit::{Unit, UnitError};
 
-/// Room for requests and answers: texts, and so many bytes for each variable.
-const ROOM: usize = 1 << 20;
-const ROOM_OF_VARIABLE: usize = 256;
 /// Calls that wait for the next one to take them along.
 const MOST_WAITING: usize = 12;
 
 /// An instance in a process of its own.
 pub struct Isolated {
-    name: String,
-    import: Arc<Import>,
-    /// Name and file, for the parent of the run.
-    label: Label,
-    messages: &'static Messages,
-    /// None once it has ended.
-    process: Option<Process>,
-    /// Why it has ended.
-    death: Option<UnitError>,
+    line: Line,
     /// What was set since the last call.
     waiting: Vec<Call>,
     /// Whether a step was begun whose answer is not here yet.
     steps: bool,
-    /// What limits the calls at this time.
-    limit: Limit,
     foreseen: [Foreseen; 3],
-    wish_to_end: Option<f64>,
 }
 
 /// What is got first behind each step, of one type.
@@ -74,90 +57,25 @@ impl Isolated {
         name: &str,
         (tolerance, retries): (Option<f64>, bool),
     ) -> Result<Self, UnitError> {
-        let subject = format!("{name} ({})", import.file());
-        let mut isolated = Self {
-            name: name.to_owned(),
-            import: Arc::clone(import),
-            label: label(&subject),
-            messages: Messages::of(&subject, &import.binary()),
-            process: None,
-            death: None,
-            waiting: vec![],
-            steps: false,
-            limit: Limit::Start,
-            foreseen: Default::default(),
-            wish_to_end: None,
-        };
-        let room = ROOM + ROOM_OF_VARIABLE * import.interface().variables().len();
-        let process = Process::start(room).map_err(|error| {
-            isolated.error("the start of its process".to_owned(), None, Some(error.to_string()))
-        })?;
-        isolated.process = Some(process);
-        isolated.send(&Request::Make(Instance {
+        let mut line = Line::new(import, name)?;
+        line.send(&Request::Make(Instance {
             file: import.file().to_owned(),
             folder: import.folder().to_owned(),
             name: name.to_owned(),
             tolerance,
             retries,
         }))?;
-        isolated.receive()?;
-        Ok(isolated)
-    }
-
-    fn error(
-        &self,
-        action: String,
-        status: Option<&'static str>,
-        message: Option<String>,
-    ) -> UnitError {
-        let last_message = message.map(|text| self.import.in_words_of_the_user(&text).into());
-        UnitError {
-            instance: self.name.as_str().into(),
-            source_file: self.import.file().into(),
-            action: action.into(),
-            status,
-            last_message,
-        }
-    }
-
-    fn send(&mut self, request: &Request) -> Result<(), UnitError> {
-        if let Some(death) = &self.death {
-            return Err(death.clone());
-        }
-        let sent = self.process.as_ref().map_or(Ok(()), |process| process.ask(request));
-        sent.map_err(|reason| self.error("a call in its process".to_owned(), None, Some(reason)))
-    }
-
-    fn receive(&mut self) -> Result<Vec<Given>, UnitError> {
-        let limit = self.limit;
-        let Some(process) = &mut self.process else { return Ok(vec![]) };
-        match calling(self.label, WAITING, || process.answer(limit)) {
-            Ok(Answer { given, failure, wish_to_end, warnings }) => {
-                warnings.into_iter().for_each(|text| self.messages.warn(text));
-                self.wish_to_end = wish_to_end;
-                failure.map_or(Ok(given), |failure| Err(self.failed(failure)))
-            }
-            Err(Death { function, reason }) => {
-                self.process = None;
-                let death = self.error(function, None, Some(reason));
-                self.death = Some(death.clone());
-                Err(death)
-            }
-        }
-    }
-
-    fn failed(&self, failure: Failure) -> UnitError {
-        let Failure { action, status, last_message } = failure;
-        self.error(action, status.map(|name| known_status(&name)), last_message)
+        line.receive()?;
+        Ok(Self { line, waiting: vec![], steps: false, foreseen: Default::default() })
     }
 
     /// Makes the calls that wait and one more, and gives what that one gives.
     fn ask(&mut self, call: Call) -> Result<Given, UnitError> {
         let mut calls = std::mem::take(&mut self.waiting);
         calls.push(call);
-        self.send(&Request::Calls(calls))?;
-        let given = self.receive()?.pop();
-        given.ok_or_else(|| self.error("a call in its process".to_owned(), None, None))
+        self.line.send(&Request::Calls(calls))?;
+        let given = self.line.receive()?.pop();
+        given.ok_or_else(|| self.line.error("a call in its process".to_owned(), None, None))
     }
 
     /// Lets a call that gives nothing wait for the next one.
@@ -184,15 +102,14 @@ impl Isolated {
         self.ask(GETS[kind](references.to_vec()))
     }
 
-    fn wrong_answer(&self) -> UnitError {
-        let reason = "it has answered something else than it was asked".to_owned();
-        self.error("a call in its process".to_owned(), None, Some(reason))
+    fn saved(&self, bytes: &[u8]) -> Result<Saved, UnitError> {
+        postcard::from_bytes(bytes).map_err(|error| self.differs(&error.to_string()))
     }
 
     fn get_whole(&mut self, kind: usize, from: &[u32], to: &mut [i32]) -> Result<(), UnitError> {
         match self.get(kind, from)? {
             Given::Integers(values) if values.len() == to.len() => to.copy_from_slice(&values),
-            _ => return Err(self.wrong_answer()),
+            _ => return Err(self.line.wrong_answer()),
         }
         Ok(())
     }
@@ -200,15 +117,15 @@ impl Isolated {
 
 impl Unit for Isolated {
     fn name(&self) -> &str {
-        &self.name
+        &self.line.name
     }
 
     fn source_file(&self) -> &str {
-        self.import.file()
+        self.line.import.file()
     }
 
     fn interface(&self) -> &Interface {
-        self.import.interface()
+        self.line.import.interface()
     }
 
     fn is_separate(&self) -> bool {
@@ -222,7 +139,7 @@ impl Unit for Isolated {
     fn get_text(&mut self, reference: u32) -> Result<String, UnitError> {
         match self.ask(Call::GetText(reference))? {
             Given::Text(text) => Ok(text),
-            _ => Err(self.wrong_answer()),
+            _ => Err(self.line.wrong_answer()),
         }
     }
 
@@ -233,7 +150,7 @@ impl Unit for Isolated {
     fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), UnitError> {
         match self.get(REALS, references)? {
             Given::Reals(given) if given.len() == values.len() => values.copy_from_slice(&given),
-            _ => return Err(self.wrong_answer()),
+            _ => return Err(self.line.wrong_answer()),
         }
         Ok(())
     }
@@ -260,7 +177,7 @@ impl Unit for Isolated {
 
     fn exit_initialization(&mut self) -> Result<(), UnitError> {
         self.ask(Call::ExitInitialization)?;
-        self.limit = Limit::Step;
+        self.line.limit = Limit::Step;
         Ok(())
     }
 
@@ -277,7 +194,7 @@ impl Unit for Isolated {
             }
             (foreseen.given, foreseen.is_known) = (None, false);
         }
-        self.send(&Request::Calls(calls))?;
+        self.line.send(&Request::Calls(calls))?;
         self.steps = true;
         Ok(())
     }
@@ -287,7 +204,7 @@ impl Unit for Isolated {
             self.begin_step(time, length)?;
         }
         self.steps = false;
-        let mut given = self.receive()?;
+        let mut given = self.line.receive()?;
         for foreseen in self.foreseen.iter_mut().rev().filter(|own| !own.references.is_empty()) {
             foreseen.given = given.pop();
         }
@@ -295,38 +212,50 @@ impl Unit for Isolated {
     }
 
     fn wish_to_end(&self) -> Option<f64> {
-        self.wish_to_end
+        self.line.wish_to_end
+    }
+
+    fn keeps_states(&self) -> bool {
+        let interface = self.interface();
+        interface.can_get_and_set_state && interface.can_serialize_state
+    }
+
+    /// The same bytes as those of an instance in this process.
+    fn save(&mut self) -> Result<Vec<u8>, UnitError> {
+        let Given::Saved(bytes) = self.ask(Call::Save)? else {
+            return Err(self.line.wrong_answer());
+        };
+        let mut saved = self.saved(&bytes)?;
+        saved.said = saved.said.with_warnings_of(self.line.messages.save());
+        Ok(postcard::to_allocvec(&saved).expect("plain data can always be serialized"))
+    }
+
+    fn restore(&mut self, bytes: &[u8]) -> Result<(), UnitError> {
+        let saved = self.saved(bytes)?;
+        self.ask(Call::Restore(bytes.to_vec()))?;
+        // The process has told the warnings again.
+        self.line.messages.restore(saved.said);
+        Ok(())
     }
 
     fn terminate(&mut self) -> Result<(), UnitError> {
         if std::mem::take(&mut self.steps) {
             // A step that nobody has waited for, because another unit has failed.
-            let _ = self.receive();
+            let _ = self.line.receive();
         }
-        self.limit = Limit::End;
+        self.line.limit = Limit::End;
         self.ask(Call::Terminate).map(|_| ())
     }
 
     fn take_warnings(&mut self) -> Vec<String> {
-        self.messages.take_warnings()
+        self.line.messages.take_warnings()
     }
 }
 
 impl Drop for Isolated {
-    /// Frees the instance. What goes wrong at that is told at once, as nobody asks any more.
     fn drop(&mut self) {
         if std::mem::take(&mut self.steps) {
-            let _ = self.receive();
-        }
-        if self.send(&Request::Free).is_err() {
-            return;
-        }
-        let Some(process) = self.process.take() else { return };
-        if let Err(Death { function, reason }) = process.end() {
-            let (name, file) = (&self.name, self.import.file());
-            let line =
-                format!("warning: {name}: {reason} ({file}: {function}), after all was done");
-            let _ = writeln!(std::io::stderr(), "{line}");
+            let _ = self.line.receive();
         }
     }
 }

@@ -147,6 +147,8 @@ fn carry_out_call(instance: &mut FmuInstance, call: Call) -> Result<Given, UnitE
         Call::GetText(reference) => return Ok(Given::Text(instance.get_text(reference)?)),
         Call::EnterInitialization(start, stop) => instance.enter_initialization(start, stop)?,
         Call::ExitInitialization => instance.exit_initialization()?,
+        Call::Save => return Ok(Given::Saved(instance.save()?)),
+        Call::Restore(saved) => instance.restore(&saved)?,
         Call::Step(time, length) => instance.step(time, length)?,
         Call::Terminate => instance.terminate()?,
     }

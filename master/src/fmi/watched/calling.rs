@@ -50,8 +50,7 @@ pub(in crate::fmi) fn calling<T>(label: Label, function: &CStr, call: impl FnOnc
     result
 }
 
-/// Notes that the program ends now, and that this thread calls `function` of what `label` names until it
-/// has ended.
+/// Notes that the program ends now, and what this thread calls until it has ended.
 pub(in crate::fmi) fn call_until_the_end(label: Label, function: &CStr) {
     culprit::expect_exit();
     if let Some(slot) = SLOT.try_with(|slot| *slot).ok().flatten() {

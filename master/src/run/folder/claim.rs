@@ -5,8 +5,10 @@
 //! that of a dead run.
 
 use std::fs::{self, File, TryLockError};
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use super::contents::{has_manifest, names_of_a_run, remove};
 use crate::files::file_error::FileError;
@@ -15,6 +17,14 @@ use crate::scenario;
 
 /// Name of the claim.
 const CLAIM: &str = ".hotfoot-run";
+
+/// Stands in the claim of a run that goes on with the results of a folder, which stay whatever becomes of it.
+const GOES_ON: &str = "goes on\n";
+
+/// Longest time in which a run may let go of its folder that was killed.
+const DYING: Duration = Duration::from_millis(200);
+/// Time between two looks whether it has.
+const PAUSE: Duration = Duration::from_millis(10);
 
 /// Why a run cannot have a folder.
 #[derive(Debug, thiserror::Error)]
@@ -63,6 +73,8 @@ pub struct Claim {
     folder: PathBuf,
     /// The folders that were made for it, the innermost first.
     made: Vec<PathBuf>,
+    /// Whether the run goes on with the results that are there.
+    goes_on: bool,
     /// Locked, as long as this lives.
     _lock: File,
 }
@@ -87,12 +99,36 @@ impl Claim {
     pub fn of(folder: &Path, overwrite: bool) -> Result<Self, ClaimError> {
         let path = || folder.display().to_string();
         let made = make(folder)?;
-        if !folder.is_dir() {
+        if !overwrite && folder.is_dir() && owner(folder)? == Owner::Dead {
+            return Err(ClaimError::HasResults { path: path() });
+        }
+        let (claim, is_dead) = Self::lock(folder, made, "")?;
+        match claim.take_over(is_dead, overwrite) {
+            Ok(()) => Ok(claim),
+            Err(error) => {
+                release(&claim.folder);
+                Err(error)
+            }
+        }
+    }
+
+    /// Claims a folder for a run that goes on with the results in it, which stay whatever becomes of it.
+    ///
+    /// # Errors
+    /// When another run has the folder, it is not there, or the file system refuses.
+    pub fn to_resume(folder: &Path) -> Result<Self, ClaimError> {
+        Ok(Self::lock(folder, vec![], GOES_ON)?.0)
+    }
+
+    /// Puts a claim with this text into a folder, in the place of that of a dead run; gives whether there was
+    /// one.
+    fn lock(folder: &Path, made: Vec<PathBuf>, text: &str) -> Result<(Self, bool), ClaimError> {
+        let path = || folder.display().to_string();
+        if folder.exists() && !folder.is_dir() {
             return Err(ClaimError::IsFile { path: path() });
         }
         let is_dead = match owner(folder)? {
             Owner::Living => return Err(ClaimError::InUse { path: path() }),
-            Owner::Dead if !overwrite => return Err(ClaimError::HasResults { path: path() }),
             owner => owner == Owner::Dead,
         };
         // While it is locked, no other run takes the place of the dead one.
@@ -106,17 +142,10 @@ impl Claim {
         if is_dead {
             release(folder);
         }
-        let lock = put_claim(folder)?;
+        let lock = put_claim(folder, text)?;
         drop(old);
         let folder = std::path::absolute(folder).map_err(FileError::at(folder))?;
-        let claim = Self { folder, made, _lock: lock };
-        match claim.take_over(is_dead, overwrite) {
-            Ok(()) => Ok(claim),
-            Err(error) => {
-                release(&claim.folder);
-                Err(error)
-            }
-        }
+        Ok((Self { folder, made, goes_on: !text.is_empty(), _lock: lock }, is_dead))
     }
 
     /// Removes the results of an earlier run, or refuses a folder that has something a run would write.
@@ -167,7 +196,8 @@ impl Claim {
         let file = folder.join(CLAIM);
         let lock = File::open(&file).map_err(FileError::at(&file))?;
         lock.lock_shared().map_err(FileError::at(&file))?;
-        Ok(Self { folder: folder.to_owned(), made: vec![], _lock: lock })
+        let goes_on = io::read_to_string(&lock).map_err(FileError::at(&file))? == GOES_ON;
+        Ok(Self { folder: folder.to_owned(), made: vec![], goes_on, _lock: lock })
     }
 
     /// Absolute path of the folder.
@@ -180,9 +210,23 @@ impl Claim {
         release(&self.folder);
     }
 
+    /// Whether the run goes on with the results that are there.
+    pub fn goes_on(&self) -> bool {
+        self.goes_on
+    }
+
+    /// Ends the claim of a run that has recorded nothing, and removes what it has written:
+    /// nothing of that was there when the folder was claimed, unless the run goes on with results.
+    pub fn abandon(&self) {
+        if !self.goes_on {
+            let _ = remove(&self.folder);
+        }
+        release(&self.folder);
+    }
+
     /// Gives a folder back as it was, since the run has failed before it recorded anything.
     pub fn undo(self) {
-        abandon(&self.folder);
+        self.abandon();
         // A folder in which something else has come stays.
         let _ = self.made.iter().try_for_each(fs::remove_dir);
     }
@@ -199,10 +243,17 @@ pub fn owner(folder: &Path) -> Result<Owner, FileError> {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Owner::None),
         Err(error) => return Err(FileError::at(&file)(error)),
     };
-    match lock.try_lock() {
-        Ok(()) => Ok(Owner::Dead),
-        Err(TryLockError::WouldBlock) => Ok(Owner::Living),
-        Err(TryLockError::Error(error)) => Err(FileError::at(&file)(error)),
+    // A process that was killed lets go of its files a little later.
+    let begin = Instant::now();
+    loop {
+        match lock.try_lock() {
+            // A run that has just come to its end was alive.
+            Ok(()) if !file.exists() => return Ok(Owner::Living),
+            Ok(()) => return Ok(Owner::Dead),
+            Err(TryLockError::WouldBlock) if begin.elapsed() < DYING => thread::sleep(PAUSE),
+            Err(TryLockError::WouldBlock) => return Ok(Owner::Living),
+            Err(TryLockError::Error(error)) => return Err(FileError::at(&file)(error)),
+        }
     }
 }
 
@@ -211,18 +262,11 @@ pub fn release(folder: &Path) {
     let _ = fs::remove_file(folder.join(CLAIM));
 }
 
-/// Removes the claim on a folder, and all that its run has written.
-///
-/// Nothing of that was there when the folder was claimed.
-pub fn abandon(folder: &Path) {
-    let _ = remove(folder);
-    release(folder);
-}
-
-/// Puts a claim into a folder, which is locked already when it comes there.
-fn put_claim(folder: &Path) -> Result<File, ClaimError> {
+/// Puts a claim with this text into a folder, which is locked already when it comes there.
+fn put_claim(folder: &Path, text: &str) -> Result<File, ClaimError> {
     let error = || FileError::at(folder);
-    let file = tempfile::Builder::new().prefix(CLAIM).tempfile_in(folder).map_err(error())?;
+    let mut file = tempfile::Builder::new().prefix(CLAIM).tempfile_in(folder).map_err(error())?;
+    file.write_all(text.as_bytes()).map_err(error())?;
     file.as_file().lock_shared().map_err(error())?;
     file.persist_noclobber(folder.join(CLAIM)).map_err(|refused| match refused.error.kind() {
         ErrorKind::AlreadyExists => ClaimError::InUse { path: folder.display().to_string() },

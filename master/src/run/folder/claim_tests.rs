@@ -19,7 +19,7 @@ fn of_claims_at_the_same_time_one_gets_the_folder() {
     let temporary = tempfile::tempdir().unwrap();
     for round in 0..20 {
         let folder = temporary.path().join(format!("{round}/results"));
-        let claims: Vec<_> = std::thread::scope(|scope| {
+        let claims: Vec<_> = thread::scope(|scope| {
             let threads: Vec<_> = (0..4).map(|_| scope.spawn(|| claim(&folder))).collect();
             threads.into_iter().map(|thread| thread.join().unwrap()).collect()
         });

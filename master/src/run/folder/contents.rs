@@ -5,8 +5,11 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+/// Name of the folder of checkpoints.
+pub const CHECKPOINTS: &str = "checkpoint";
+
 /// Names of what a run writes, besides the fields of the rails.
-const NAMES: [&str; 5] = [MANIFEST, "report.html", "series", "fmus", "package"];
+const NAMES: [&str; 6] = [MANIFEST, "report.html", "series", "fmus", "package", CHECKPOINTS];
 
 /// Name of the manifest.
 pub const MANIFEST: &str = "manifest.toml";
