@@ -10,8 +10,8 @@ use hotfoot::check::{self, Severity, rules};
 use hotfoot::roles;
 
 use crate::output::print;
+use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
-use crate::supervise::{child, command_in_child};
 
 /// Arguments of `hotfoot check`.
 #[derive(Args)]
@@ -67,10 +67,7 @@ pub fn check(arguments: &CheckArguments) -> Result<u8> {
     }
     let Some(fmu) = &arguments.fmu else { return Ok(0) };
     files::exists(fmu)?;
-    match child::own() {
-        Some(_) => check_here(fmu, arguments).map(|()| 0),
-        None => command_in_child(&arguments.limits),
-    }
+    command_in_child(&arguments.limits, || check_here(fmu, arguments))
 }
 
 fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {

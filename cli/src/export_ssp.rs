@@ -8,8 +8,8 @@ use hotfoot::run::{Exported, export, workplace};
 
 use crate::output::print;
 use crate::run::default_fmus;
+use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
-use crate::supervise::{child, command_in_child};
 
 /// Arguments of `hotfoot export-ssp`.
 #[derive(Args)]
@@ -32,10 +32,7 @@ pub struct ExportArguments {
 /// # Errors
 /// When the scenario is wrong, a unit fails, or the package cannot be written.
 pub fn export_ssp(arguments: &ExportArguments) -> Result<u8> {
-    match child::own() {
-        Some(_) => export_here(arguments).map(|()| 0),
-        None => command_in_child(&arguments.limits),
-    }
+    command_in_child(&arguments.limits, || export_here(arguments))
 }
 
 fn export_here(arguments: &ExportArguments) -> Result<()> {

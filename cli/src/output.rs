@@ -32,6 +32,6 @@ pub fn tell(sentence: impl Display) {
 
 /// Whether an error is that nobody reads the standard output any more, which is no failure.
 pub fn is_closed_pipe(error: &Error) -> bool {
-    let causes = error.chain().filter_map(|cause| cause.downcast_ref::<io::Error>());
-    causes.into_iter().any(|cause| cause.kind() == ErrorKind::BrokenPipe)
+    let mut causes = error.chain().filter_map(|cause| cause.downcast_ref::<io::Error>());
+    causes.any(|cause| cause.kind() == ErrorKind::BrokenPipe)
 }

@@ -7,8 +7,8 @@ use clap::Args;
 use hotfoot::check::reference;
 use hotfoot::pack::{self, Binary};
 
+use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
-use crate::supervise::{child, command_in_child};
 
 /// Arguments of `hotfoot pack`.
 #[derive(Args)]
@@ -40,10 +40,7 @@ pub struct PackArguments {
 /// When files are missing, or the model refuses the resources.
 pub fn pack(arguments: &PackArguments) -> Result<u8> {
     files::exists(&arguments.binary)?;
-    match child::own() {
-        Some(_) => pack_here(arguments).map(|()| 0),
-        None => command_in_child(&arguments.limits),
-    }
+    command_in_child(&arguments.limits, || pack_here(arguments))
 }
 
 fn pack_here(arguments: &PackArguments) -> Result<()> {

@@ -8,8 +8,8 @@ use hotfoot::run::wiring;
 
 use crate::output::write;
 use crate::run::default_fmus;
+use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
-use crate::supervise::{child, command_in_child};
 
 /// Arguments of `hotfoot wiring`.
 #[derive(Args)]
@@ -32,10 +32,7 @@ pub struct WiringArguments {
 /// # Errors
 /// When the scenario or package is wrong, or an FMU is missing or unfit.
 pub fn print(arguments: &WiringArguments) -> Result<u8> {
-    match child::own() {
-        Some(_) => print_here(arguments).map(|()| 0),
-        None => command_in_child(&arguments.limits),
-    }
+    command_in_child(&arguments.limits, || print_here(arguments))
 }
 
 fn print_here(arguments: &WiringArguments) -> Result<()> {

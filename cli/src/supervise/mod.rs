@@ -74,11 +74,15 @@ pub fn in_child(limits: &Limits, results: Option<&Path>) -> Result<End> {
     Ok(End { finished, blame, records: page.records() })
 }
 
-/// Runs this program again for a command that records nothing, and gives its exit code.
+/// Does the work of a command that records nothing in a child of this program, and gives its exit code:
+/// the parent starts the child, which does it.
 ///
 /// # Errors
-/// When the child ends before it has done all it had to do.
-pub fn command_in_child(limits: &Limits) -> Result<u8> {
+/// When the work fails, or the child ends before it has done all it had to do.
+pub fn command_in_child(limits: &Limits, work: impl FnOnce() -> Result<()>) -> Result<u8> {
+    if child::own().is_some() {
+        return work().map(|()| 0);
+    }
     let End { finished, blame, .. } = in_child(limits, None)?;
     match (finished, blame) {
         (Some(code), blame) => {

@@ -26,6 +26,18 @@ fn create(path: &Path) -> FieldWriter {
     FieldWriter::create(path, &axes(), &attributes).unwrap()
 }
 
+/// A field with a second snapshot whose time is visible and whose values are not, as a writer leaves it that
+/// is killed within an append.
+fn half_appended(folder: &Path) -> PathBuf {
+    let path = folder.join("rail.zarr");
+    let mut writer = create(&path);
+    writer.append(0.0, &rise(&axes(), 0)).unwrap();
+    let before = fs::read(path.join("temperature_rise/zarr.json")).unwrap();
+    writer.append(1.0, &rise(&axes(), 1)).unwrap();
+    fs::write(path.join("temperature_rise/zarr.json"), before).unwrap();
+    path
+}
+
 fn metadata(path: &Path) -> serde_json::Value {
     serde_json::from_str(&fs::read_to_string(path.join("zarr.json")).unwrap()).unwrap()
 }
@@ -52,12 +64,7 @@ fn property_what_is_written_is_read_to_the_last_bit() {
 #[test]
 fn a_field_that_was_cut_within_an_append_is_completed() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("rail.zarr");
-    let mut writer = create(&path);
-    writer.append(0.0, &rise(&axes(), 0)).unwrap();
-    let before = fs::read(path.join("temperature_rise/zarr.json")).unwrap();
-    writer.append(1.0, &rise(&axes(), 1)).unwrap();
-    fs::write(path.join("temperature_rise/zarr.json"), before).unwrap();
+    let path = half_appended(folder.path());
     let snapshots = |array: &str| metadata(&path.join(array))["shape"][0].as_u64().unwrap();
     assert_eq!((snapshots("time"), snapshots("temperature_rise")), (2, 1));
     field::complete(&path).unwrap();
@@ -85,12 +92,7 @@ fn property_a_killed_run_leaves_all_appended_snapshots() {
 #[test]
 fn property_a_half_appended_snapshot_is_not_seen() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("rail.zarr");
-    let mut writer = create(&path);
-    writer.append(0.0, &rise(&axes(), 0)).unwrap();
-    let before = fs::read(path.join("temperature_rise/zarr.json")).unwrap();
-    writer.append(1.0, &rise(&axes(), 1)).unwrap();
-    fs::write(path.join("temperature_rise/zarr.json"), before).unwrap();
+    let path = half_appended(folder.path());
     let reader = FieldReader::open(&path).unwrap();
     assert_eq!(reader.times(), [0.0]);
     assert_eq!(reader.at_time(1.0).unwrap().rise, rise(&axes(), 0));

@@ -39,7 +39,7 @@ pub struct Recorded {
 pub fn complete(folder: &Path, rails_continue: bool) -> Result<Option<Recorded>, RecordingError> {
     let mut tables = vec![];
     for name in names(folder)? {
-        tables.extend(Some(Table::read(folder, name)?));
+        tables.push(Table::read(folder, name)?);
     }
     let of_run: Option<Vec<Recorded>> = tables.iter().map(|table| table.recorded).collect();
     let Some(first) = of_run.as_ref().and_then(|times| times.first()) else { return Ok(None) };

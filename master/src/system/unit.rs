@@ -255,15 +255,6 @@ impl dyn Unit + '_ {
         self.set_reals(&[reference], &[value])
     }
 
-    /// Sets a String parameter by its name.
-    ///
-    /// # Errors
-    /// When the unit has no such variable or refuses the value.
-    pub fn set_text_parameter(&mut self, name: &str, value: &str) -> Result<(), UnitError> {
-        let reference = self.reference(name)?;
-        self.set_text(reference, value)
-    }
-
     /// Value reference of a variable.
     ///
     /// # Errors
