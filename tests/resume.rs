@@ -85,6 +85,21 @@ fn property_a_killed_run_goes_on_byte_for_byte() {
     }
 }
 
+/// All in processes of their own, which the resumed run has too: the same bytes as in the process of the run.
+#[test]
+fn property_a_killed_run_of_isolated_fmus_goes_on_byte_for_byte() {
+    let scenario = heating();
+    let folder = scenario.folder.path();
+    unbroken(folder, "scenario.toml");
+    for (results, number, threads) in [("run", 3, "1"), ("train", 21, "2")] {
+        let order = [ordered("scenario.toml", results, "0.4"), vec!["--isolate", "all"]].concat();
+        kill_at(folder, &order, results, number);
+        let said = resume(folder, results, threads);
+        assert!(said.contains("goes on from "), "{said}");
+        assert_same(folder, results);
+    }
+}
+
 /// In the run, and in what follows it: stopped by Ctrl-C, a run writes a checkpoint of its own at the step that
 /// it has come to, and keeps it though its results are complete; from there it goes on.
 #[test]

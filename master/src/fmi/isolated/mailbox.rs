@@ -40,16 +40,12 @@ pub struct Mailbox {
 }
 
 impl Mailbox {
-    /// Gives the file its length, for requests and answers of so many bytes, and maps it.
-    ///
-    /// # Errors
-    /// When there is no room.
-    pub fn create(file: &File, room: usize) -> io::Result<Self> {
-        file.set_len((size_of::<Head>() + room.next_multiple_of(WORD)) as u64)?;
-        Self::open(file)
+    /// Bytes of memory that requests and answers of so many bytes need.
+    pub const fn length(room: usize) -> usize {
+        size_of::<Head>() + room.next_multiple_of(WORD)
     }
 
-    /// Maps the file that the other side has made.
+    /// Maps the memory, of which all is zero at first.
     ///
     /// # Errors
     /// When the file is too short or cannot be mapped.
@@ -63,14 +59,14 @@ impl Mailbox {
 
     fn head(&self) -> &Head {
         // SAFETY: the map is at least as long as the head and begins at a page of memory; the head consists
-        // of atomics, for which all bits are valid, and nobody cuts the file.
+        // of atomics, for which all bits are valid, and the file cannot be cut.
         unsafe { &*self.map.as_ptr().cast::<Head>() }
     }
 
     fn words(&self) -> &[AtomicU64] {
         let count = (self.map.len() - size_of::<Head>()) / WORD;
         // SAFETY: so many words lie behind the head, whose length is a multiple of theirs; for atomics all
-        // bits are valid, and nobody cuts the file.
+        // bits are valid, and the file cannot be cut.
         unsafe {
             let begin = self.map.as_ptr().add(size_of::<Head>()).cast::<AtomicU64>();
             std::slice::from_raw_parts(begin, count)
@@ -167,15 +163,17 @@ fn changed(counter: &AtomicU32, old: u32, limit: Duration) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
+    use crate::fmi::watched::shared_file;
 
     const LONG: Duration = Duration::from_secs(10);
 
     #[test]
     fn each_request_has_its_answer_and_silence_is_noticed() {
-        let file = tempfile::tempfile().unwrap();
-        let (master, worker) =
-            (Mailbox::create(&file, 100).unwrap(), Mailbox::open(&file).unwrap());
+        let (file, _) = shared_file(Path::new(""), Mailbox::length(100)).unwrap();
+        let (master, worker) = (Mailbox::open(&file).unwrap(), Mailbox::open(&file).unwrap());
         let serving = std::thread::spawn(move || {
             for _ in 0..1000 {
                 let mut request = worker.request(LONG).unwrap();
@@ -196,10 +194,11 @@ mod tests {
 
     #[test]
     fn what_has_no_room_is_refused() {
-        let file = tempfile::tempfile().unwrap();
-        let mailbox = Mailbox::create(&file, 16).unwrap();
+        let (file, _) = shared_file(Path::new(""), Mailbox::length(16)).unwrap();
+        let mailbox = Mailbox::open(&file).unwrap();
         assert_eq!(mailbox.ask(&[1; 17]), Err(TooLong { length: 17, room: 16 }));
         assert!(mailbox.ask(&[1; 16]).is_ok());
+        assert!(file.set_len(0).is_err(), "the memory was cut while it was mapped");
         assert!(Mailbox::open(&tempfile::tempfile().unwrap()).is_err());
     }
 }

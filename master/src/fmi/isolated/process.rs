@@ -41,8 +41,8 @@ impl Process {
     /// When the system gives no memory or no process.
     pub fn start(room: usize) -> io::Result<Self> {
         let (page, page_file, page_path) = Page::create(Path::new(""))?;
-        let (file, path) = shared_file(Path::new(""))?;
-        let mailbox = Mailbox::create(&file, room)?;
+        let (file, path) = shared_file(Path::new(""), Mailbox::length(room))?;
+        let mailbox = Mailbox::open(&file)?;
         let mut command = Command::new(std::env::current_exe()?);
         command.arg(COMMAND).args([&path, &page_path]).stdin(Stdio::piped());
         // What a terminal sends to the run is no matter of the FMU: the run ends it.

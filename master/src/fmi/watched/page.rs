@@ -72,8 +72,7 @@ impl Page {
     /// # Errors
     /// When there is no room.
     pub fn create(folder: &Path) -> io::Result<(Self, File, PathBuf)> {
-        let (file, path) = shared_file(folder)?;
-        file.set_len(size_of::<Content>() as u64)?;
+        let (file, path) = shared_file(folder, size_of::<Content>())?;
         Ok((Self::map(&file)?, file, path))
     }
 
@@ -183,25 +182,30 @@ impl Page {
     }
 }
 
-/// Memory as a file, which the child opens under the path of this process's descriptor.
+/// Memory of so many bytes as a file, which the child opens under the path of this process's descriptor.
+/// Nobody can cut it while it is mapped.
 ///
 /// # Errors
 /// When the system gives none.
 #[cfg(target_os = "linux")]
-pub(in crate::fmi) fn shared_file(_: &Path) -> io::Result<(File, PathBuf)> {
+pub(in crate::fmi) fn shared_file(_: &Path, length: usize) -> io::Result<(File, PathBuf)> {
     use std::os::fd::AsRawFd;
 
-    use rustix::fs::{MemfdFlags, memfd_create};
-    let file = File::from(memfd_create("hotfoot", MemfdFlags::CLOEXEC)?);
+    use rustix::fs::{MemfdFlags, SealFlags, fcntl_add_seals, memfd_create};
+    let flags = MemfdFlags::CLOEXEC | MemfdFlags::ALLOW_SEALING;
+    let file = File::from(memfd_create("hotfoot", flags)?);
+    file.set_len(length as u64)?;
+    fcntl_add_seals(&file, SealFlags::SHRINK | SealFlags::GROW)?;
     let path = format!("/proc/{}/fd/{}", std::process::id(), file.as_raw_fd());
     Ok((file, path.into()))
 }
 
-/// A file in the folder.
+/// A file of so many bytes in the folder.
 #[cfg(not(target_os = "linux"))]
-fn shared_file(folder: &Path) -> io::Result<(File, PathBuf)> {
+fn shared_file(folder: &Path, length: usize) -> io::Result<(File, PathBuf)> {
     let path = folder.join("page");
     let file = File::options().read(true).write(true).create_new(true).open(&path)?;
+    file.set_len(length as u64)?;
     Ok((file, path))
 }
 
