@@ -8,9 +8,14 @@ use tempfile::TempDir;
 pub struct Scratch(TempDir);
 
 impl Scratch {
-    /// An empty folder.
+    /// An empty folder, in memory where the system has such: a reader takes less time than a disk.
     pub fn new() -> Self {
-        Self(tempfile::tempdir().expect("a temporary folder"))
+        let in_memory = Path::new("/dev/shm");
+        let folder = match in_memory.is_dir() {
+            true => tempfile::tempdir_in(in_memory),
+            false => tempfile::tempdir(),
+        };
+        Self(folder.expect("a temporary folder"))
     }
 
     /// A folder with this one file.
