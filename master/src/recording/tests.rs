@@ -152,6 +152,40 @@ fn property_a_record_that_is_not_whole_is_passed_over() {
     assert_eq!(times, [0.0, 0.1, 0.2]);
 }
 
+/// A part whose pages are damaged gives one error, and the run's other files stay as they are.
+#[test]
+fn a_damaged_part_is_answered_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = begin(folder.path());
+    step_through(&mut writer, 1500);
+    drop(writer);
+    let part = folder.path().join("vehicles.parts/part-00000.parquet");
+    let mut bytes = fs::read(&part).unwrap();
+    bytes[10..200].fill(0xff);
+    fs::write(&part, bytes).unwrap();
+    let message = complete(folder.path(), false).unwrap_err().to_string();
+    assert!(message.contains("vehicles.parts"), "{message}");
+    assert!(part.exists());
+}
+
+/// Lengths in a damaged record may be any; the records before it are kept.
+#[test]
+fn a_damaged_record_ends_the_open_stream() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = begin(folder.path());
+    step_through(&mut writer, 300);
+    drop(writer);
+    let open = folder.path().join("vehicles.parts/.open.arrows");
+    let kept = fs::read(&open).unwrap();
+    for begin in (kept.len() / 2..kept.len() - 8).step_by(64) {
+        let mut bytes = kept.clone();
+        bytes[begin..begin + 8].fill(0x7f);
+        fs::write(&open, bytes).unwrap();
+        let found = open_part::left_records(&folder.path().join("vehicles.parts"));
+        assert!(found.is_none_or(|(_, records)| records.len() <= 4));
+    }
+}
+
 #[test]
 fn property_identical_runs_give_identical_bytes() {
     let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];

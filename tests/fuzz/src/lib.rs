@@ -43,6 +43,7 @@ pub const READERS: &[(&str, Reader)] = &[
     ("values", exchanged::values),
     ("expected", results::expected),
     ("field-array", results::field_array),
+    ("field-axis", results::field_axis),
     ("field-attributes", results::field_attributes),
     ("manifest", results::manifest),
     ("open-stream", results::open_stream),

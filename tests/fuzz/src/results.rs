@@ -62,6 +62,11 @@ pub fn field_array(bytes: &[u8]) {
     field("temperature_rise/zarr.json", bytes);
 }
 
+/// What Zarr keeps of the array of chainages.
+pub fn field_axis(bytes: &[u8]) {
+    field("chainage/zarr.json", bytes);
+}
+
 /// A field of two snapshots, one file of which is replaced.
 fn field(name: &str, bytes: &[u8]) {
     let scratch = Scratch::new();

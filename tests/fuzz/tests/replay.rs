@@ -102,6 +102,14 @@ fn every_reader_has_a_corpus_and_every_corpus_a_reader() {
     }
 }
 
+#[test]
+fn every_reader_has_a_target_of_cargo_fuzz() {
+    let targets = include_str!("../../../fuzz/Cargo.toml");
+    let targets = targets.lines().filter_map(|line| line.strip_prefix("name = "));
+    let targets: BTreeSet<_> = targets.skip(1).map(|name| name.trim_matches('"')).collect();
+    assert_eq!(targets, READERS.iter().map(|(name, _)| *name).collect());
+}
+
 /// What is found once is found again, and is not what it was made of.
 #[test]
 fn mutations_are_the_same_every_time() {
