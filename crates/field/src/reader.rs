@@ -9,6 +9,11 @@ use crate::error::FieldError;
 use crate::layout::{self, CHAINAGE, DEPTH, Store, StoredArray, TEMPERATURE_RISE, TIME};
 use crate::writer::is_rail_field;
 
+/// Most values of a coordinate: a line of 1000 km in elements of 0.1 m.
+///
+/// The values are all read, and the length is what the metadata says, whatever is stored.
+const LONGEST_AXIS: u64 = 10_000_000;
+
 /// The temperature rise at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
@@ -39,12 +44,10 @@ impl FieldReader {
             });
         }
         let store = layout::store(path)?;
-        let temperature_rise = open(path, &store, TEMPERATURE_RISE)?;
-        let axes = Axes {
-            chainage: coordinate(path, &open(path, &store, CHAINAGE)?)?,
-            depth: coordinate(path, &open(path, &store, DEPTH)?)?,
-        };
-        let mut times = coordinate(path, &open(path, &store, TIME)?)?;
+        let temperature_rise = of_dimensions(path, open(path, &store, TEMPERATURE_RISE)?, 3)?;
+        let axis = |name| coordinate(path, &of_dimensions(path, open(path, &store, name)?, 1)?);
+        let axes = Axes { chainage: axis(CHAINAGE)?, depth: axis(DEPTH)? };
+        let mut times = axis(TIME)?;
         // A writer that was killed within an append may have made the time visible only.
         times.truncate(temperature_rise.shape()[0] as usize);
         Ok(Self { path: path.to_owned(), temperature_rise, axes, times })
@@ -92,7 +95,30 @@ pub(crate) fn open(path: &Path, store: &Store, name: &str) -> Result<StoredArray
     })
 }
 
+/// The array, if it has so many dimensions.
+pub(crate) fn of_dimensions(
+    path: &Path,
+    array: StoredArray,
+    wanted: usize,
+) -> Result<StoredArray, FieldError> {
+    match array.dimensionality() {
+        found if found == wanted => Ok(array),
+        found => {
+            let name = array.path().to_string();
+            let reason = format!("array {name} must have {wanted} dimensions, not {found}");
+            Err(FieldError::NotAField { path: path.to_owned(), reason })
+        }
+    }
+}
+
 fn coordinate(path: &Path, array: &StoredArray) -> Result<Vec<f64>, FieldError> {
+    let length = array.shape()[0];
+    if length > LONGEST_AXIS {
+        let name = array.path().to_string();
+        let reason =
+            format!("array {name} has {length} values; it must have {LONGEST_AXIS} at most");
+        return Err(FieldError::NotAField { path: path.to_owned(), reason });
+    }
     read(path, array, &array.subset_all())
 }
 

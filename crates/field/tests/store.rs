@@ -214,3 +214,27 @@ fn missing_stores_and_unwritable_places_are_named() {
     let error = FieldReader::open(&path).unwrap().at_time(0.0).unwrap_err();
     assert!(matches!(error, FieldError::NoSnapshot { .. }));
 }
+
+/// Metadata that was damaged must cost neither memory nor the program.
+#[test]
+fn a_field_whose_arrays_have_another_shape_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    create(&path).append(0.0, &rise(&axes(), 0)).unwrap();
+    let chainage = path.join("chainage");
+    let mut long = metadata(&chainage);
+    long["shape"] = serde_json::json!([100_000_000_000_000_u64]);
+    let kept = fs::read(chainage.join("zarr.json")).unwrap();
+    fs::write(chainage.join("zarr.json"), long.to_string()).unwrap();
+    let message = FieldReader::open(&path).err().unwrap().to_string();
+    let wanted = "array /chainage has 100000000000000 values; it must have 10000000 at most";
+    assert!(message.contains(wanted), "{message}");
+    let rise = path.join("temperature_rise/zarr.json");
+    fs::write(rise, &kept).unwrap();
+    fs::write(chainage.join("zarr.json"), kept).unwrap();
+    for error in [FieldReader::open(&path).err(), field::complete(&path).err()] {
+        let message = error.unwrap().to_string();
+        let wanted = "array /temperature_rise must have 3 dimensions, not 1";
+        assert!(message.contains(wanted), "{message}");
+    }
+}

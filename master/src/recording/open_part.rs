@@ -3,6 +3,7 @@
 
 use std::fs::{self, File};
 use std::io::BufWriter;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use arrow_array::RecordBatch;
@@ -64,9 +65,11 @@ impl OpenPart {
 
 /// The whole records of a stream that a dead program has left in the folder of the parts.
 pub(super) fn left_records(folder: &Path) -> Option<(SchemaRef, Vec<RecordBatch>)> {
-    let reader = StreamReader::try_new(File::open(folder.join(NAME)).ok()?, None).ok()?;
+    let mut reader = StreamReader::try_new(File::open(folder.join(NAME)).ok()?, None).ok()?;
     let schema = reader.schema();
-    // The first record that is not whole ends the stream.
-    let records: Vec<_> = reader.map_while(Result::ok).collect();
+    // The first record that is not whole ends the stream. Lengths in a damaged record may be any, and
+    // some of those the library answers with a panic; what it has read of such a record is dropped.
+    let next = || catch_unwind(AssertUnwindSafe(|| reader.next())).ok()??.ok();
+    let records: Vec<_> = std::iter::from_fn(next).collect();
     (!records.is_empty()).then_some((schema, records))
 }

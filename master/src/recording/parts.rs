@@ -170,13 +170,16 @@ pub(super) fn part_files(folder: &Path) -> Result<Vec<PathBuf>, RecordingError> 
 pub(super) fn rows_of(
     files: &[PathBuf],
 ) -> impl Iterator<Item = Result<RecordBatch, ParquetError>> {
-    files.iter().flat_map(|file| batches(file).unwrap_or_else(|error| vec![Err(error)]))
+    files.iter().flat_map(|file| match batches(file) {
+        Ok(batches) => batches.into_iter().map(Ok).collect(),
+        Err(error) => vec![Err(error)],
+    })
 }
 
-/// All rows of a file.
-fn batches(file: &Path) -> Result<Vec<Result<RecordBatch, ParquetError>>, ParquetError> {
+/// All rows of a file. What is damaged ends the reading: the reader would give the same error for ever.
+fn batches(file: &Path) -> Result<Vec<RecordBatch>, ParquetError> {
     let reader = ParquetRecordBatchReaderBuilder::try_new(File::open(file)?)?.build()?;
-    Ok(reader.map(|batch| batch.map_err(ParquetError::from)).collect())
+    reader.map(|batch| batch.map_err(ParquetError::from)).collect()
 }
 
 /// Writes a file under a hidden name and gives it its name when it is complete.

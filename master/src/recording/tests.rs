@@ -156,19 +156,24 @@ fn property_a_record_that_is_not_whole_is_passed_over() {
     assert_eq!(times, [0.0, 0.1, 0.2]);
 }
 
-/// Another run goes on with a table from the middle of its second part, and of an interval: with that of a
-/// run that was killed later, and of one that has ended. One that ends before is refused.
+/// Another run goes on with a table from the middle of its second part, and of an interval, and from the end
+/// of that part: with that of a run that was killed later, and of one that has ended. One that ends before is
+/// refused.
 #[test]
 fn property_a_table_goes_on_byte_for_byte() {
     let unbroken = tempfile::tempdir().unwrap();
     run(unbroken.path());
-    for ended in [false, true] {
+    let (second, both) =
+        ([".open.arrows", "part-00000.parquet"], ["part-00000.parquet", "part-00001.parquet"]);
+    for (ended, until, left) in
+        [(false, 1550, second), (true, 1550, second), (false, STEPS, both), (true, STEPS, both)]
+    {
         let folder = tempfile::tempdir().unwrap();
         let mut writer = begin(folder.path());
-        step_through(&mut writer, 1550);
+        step_through(&mut writer, until);
         let bytes = postcard::to_allocvec(&writer.save()).unwrap();
         let saved = || postcard::from_bytes(&bytes).unwrap();
-        step_from(&mut writer, 1551, STEPS);
+        step_from(&mut writer, until + 1, STEPS);
         match ended {
             true => writer.finish().unwrap(),
             false => drop(writer),
@@ -176,14 +181,48 @@ fn property_a_table_goes_on_byte_for_byte() {
         let mut resumed = begin(folder.path());
         resumed.resume(saved()).unwrap();
         let parts: Vec<_> = contents(&folder.path().join("vehicles.parts")).into_keys().collect();
-        assert_eq!(parts, [Path::new(".open.arrows"), Path::new("part-00000.parquet")]);
-        step_from(&mut resumed, 1551, STEPS);
+        assert_eq!(parts, left.map(Path::new));
+        step_from(&mut resumed, until + 1, STEPS);
         resumed.finish().unwrap();
         assert!(contents(folder.path()) == contents(unbroken.path()), "ended: {ended}");
 
         let empty = tempfile::tempdir().unwrap();
         let refused = begin(empty.path()).resume(saved()).unwrap_err().to_string();
         assert!(refused.contains("vehicles: the table ends before"), "{refused}");
+    }
+}
+
+/// A part whose pages are damaged gives one error, and the run's other files stay as they are.
+#[test]
+fn a_damaged_part_is_answered_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = begin(folder.path());
+    step_through(&mut writer, 1500);
+    drop(writer);
+    let part = folder.path().join("vehicles.parts/part-00000.parquet");
+    let mut bytes = fs::read(&part).unwrap();
+    bytes[10..200].fill(0xff);
+    fs::write(&part, bytes).unwrap();
+    let message = complete(folder.path(), false).unwrap_err().to_string();
+    assert!(message.contains("vehicles.parts"), "{message}");
+    assert!(part.exists());
+}
+
+/// Lengths in a damaged record may be any; the records before it are kept.
+#[test]
+fn a_damaged_record_ends_the_open_stream() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = begin(folder.path());
+    step_through(&mut writer, 300);
+    drop(writer);
+    let open = folder.path().join("vehicles.parts/.open.arrows");
+    let kept = fs::read(&open).unwrap();
+    for begin in (kept.len() / 2..kept.len() - 8).step_by(64) {
+        let mut bytes = kept.clone();
+        bytes[begin..begin + 8].fill(0x7f);
+        fs::write(&open, bytes).unwrap();
+        let found = open_part::left_records(&folder.path().join("vehicles.parts"));
+        assert!(found.is_none_or(|(_, records)| records.len() <= 4));
     }
 }
 

@@ -18,6 +18,9 @@
 
 use crate::error::ContactError;
 
+/// Farthest lateral coordinate and height of a point, m. A wheel or rail head with all of its sides is smaller.
+const FARTHEST: f64 = 0.2;
+
 /// Keys of a header that have to be zero.
 const ZERO: [&str; 3] = ["approx.smooth", "point.dist.min", "rotate"];
 
@@ -81,11 +84,12 @@ impl Header {
     }
 }
 
-/// The points of a file in m; `name` is for messages.
+/// The points of a file in m, each with its line; `name` is for messages.
 ///
 /// # Errors
-/// When a line of points has no two numbers, or the header wants what is not done here.
-pub(super) fn read(text: &str, name: &str) -> Result<Vec<(f64, f64)>, ContactError> {
+/// When a line of points has no two numbers, a point is far from the profile's origin, or the header
+/// wants what is not done here.
+pub(super) fn read(text: &str, name: &str) -> Result<Vec<FilePoint>, ContactError> {
     let mut inside = !text.contains("point.begin");
     let mut header = Header::NONE;
     let mut points = Vec::new();
@@ -101,15 +105,54 @@ pub(super) fn read(text: &str, name: &str) -> Result<Vec<(f64, f64)>, ContactErr
                 inside = false;
                 continue;
             }
-            _ if inside => point(line).map(|point| points.push(point)),
+            _ if inside => point(line).map(|point| points.push((number + 1, point))),
             _ => header.take(line),
         };
-        read.map_err(|reason| ContactError::ProfileFile {
-            file: name.into(),
-            reason: format!("line {}: {reason}", number + 1),
-        })?;
+        read.map_err(|reason| in_line(name, number + 1, reason))?;
     }
-    Ok(points.into_iter().filter_map(|point| header.apply(point)).collect())
+    let applied = points.into_iter().filter_map(|(line, point)| Some((line, header.apply(point)?)));
+    applied.map(|(line, coordinates)| near(name, FilePoint { line, coordinates })).collect()
+}
+
+/// A point of a file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FilePoint {
+    /// Its line, from 1.
+    pub line: usize,
+    /// Lateral coordinate and height, m.
+    pub coordinates: (f64, f64),
+}
+
+/// The error of a line of the file `name`.
+pub(super) fn in_line(name: &str, line: usize, reason: impl std::fmt::Display) -> ContactError {
+    ContactError::ProfileFile { file: name.into(), reason: format!("line {line}: {reason}") }
+}
+
+/// A length in m as messages have it, in mm to the nanometre.
+pub(super) fn millimetres(length: f64) -> String {
+    let exact = 1e3 * length;
+    let rounded = (1e6 * exact).round() / 1e6;
+    format!("{:?} mm", if rounded.is_finite() { rounded } else { exact })
+}
+
+/// Refuses a point that is far from the origin, as one in another unit is.
+fn near(name: &str, point: FilePoint) -> Result<FilePoint, ContactError> {
+    let (lateral, height) = point.coordinates;
+    for (what, value) in [("lateral coordinate", lateral), ("height", height)] {
+        if value.abs() > FARTHEST {
+            return Err(in_line(
+                name,
+                point.line,
+                format!(
+                    "the {what} is {}; it must lie within {} of the origin: are the lengths in mm, with \
+                     decimal points, or units.len.f as many as a metre has (1000 for mm)?",
+                    millimetres(value),
+                    millimetres(FARTHEST)
+                ),
+            ));
+        }
+    }
+    Ok(point)
 }
 
 /// Lateral coordinate and height of a line.
@@ -129,7 +172,8 @@ mod tests {
     const HEADER: &str = "header.begin\n  version = 1\nheader.end\nspline.begin\n";
 
     fn of_header(lines: &str) -> Result<Vec<(f64, f64)>, ContactError> {
-        read(&format!("{HEADER}{lines}\npoint.begin\n10 2 ! 11 3\n-5 1\npoint.end\n"), "p.prw")
+        let text = format!("{HEADER}{lines}\npoint.begin\n10 2 ! 11 3\n-5 1\npoint.end\n");
+        Ok(read(&text, "p.prw")?.iter().map(|point| point.coordinates).collect())
     }
 
     /// Shift, then bounds, then mirror, then units, as the header's own comments number them.
@@ -137,7 +181,7 @@ mod tests {
     fn a_header_changes_the_points_in_its_order() {
         assert_eq!(of_header("").unwrap(), [(0.01, 0.002), (-0.005, 0.001)]);
         assert_eq!(of_header("mirror.y = 1 ! 5").unwrap(), [(-0.01, 0.002), (0.005, 0.001)]);
-        assert_eq!(of_header("units.len.f = +1.0e+00").unwrap(), [(10.0, 2.0), (-5.0, 1.0)]);
+        assert_eq!(of_header("units.len.f = +1.0e+02").unwrap(), [(0.1, 0.02), (-0.05, 0.01)]);
         let all = "shift.y = -10\nbound.y.min = -1\nbound.y.max = 1\nmirror.z = 1";
         assert_eq!(of_header(all).unwrap(), [(0.0, -0.002)]);
         let no_bounds = "bound.y.min = 1\nbound.y.max = 0\nmirror.z = 0\nrotate = 0.0";
@@ -154,5 +198,18 @@ mod tests {
         assert!(message("shift.y = left").contains("expected a number"));
         let words = read("0 0\n1 x\n", "p.txt").unwrap_err().to_string();
         assert!(words.contains("p.txt: line 2: expected two numbers, found \"1 x\""));
+    }
+
+    /// Such points made tables of gigabytes.
+    #[test]
+    fn a_point_in_another_unit_is_told_with_line_and_value() {
+        let metres = of_header("units.len.f = 1").unwrap_err().to_string();
+        let wanted =
+            "p.prw: line 7: the lateral coordinate is 10000.0 mm; it must lie within 200.0 mm";
+        assert!(metres.starts_with(wanted) && metres.contains("1000 for mm"), "{metres}");
+        let height = read("0 0\n1 -1e308\n", "p.txt").unwrap_err().to_string();
+        assert!(height.starts_with("p.txt: line 2: the height is -1e308 mm;"), "{height}");
+        let far = read("0 0\n60000 1\n", "p.txt").unwrap_err().to_string();
+        assert!(far.contains("line 2: the lateral coordinate is 60000.0 mm"), "{far}");
     }
 }

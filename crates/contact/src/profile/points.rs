@@ -4,8 +4,9 @@
 //! the points go back or straight down, as at the flank of a rail, the profile ends.
 
 use super::point::ProfilePoint;
-use super::point_file;
+use super::point_file::{self, FilePoint, millimetres};
 use crate::error::ContactError;
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 /// Ends of names that are files of points.
@@ -13,6 +14,18 @@ const FILES: [&str; 4] = [".prw", ".prr", ".txt", ".csv"];
 
 /// Least distance of two points across the track that counts as going on, in m.
 const LEAST_STEP: f64 = 1e-6;
+
+/// Greatest distance of two points across the track, m: over a longer one the profile would be invented.
+const GREATEST_STEP: f64 = 0.020;
+
+/// Width of a wheel from its flange back to its field side, m.
+const WHEEL_WIDTHS: RangeInclusive<f64> = 0.100..=0.160;
+
+/// Height of a flange above the running circle, m.
+const FLANGE_HEIGHTS: RangeInclusive<f64> = 0.020..=0.040;
+
+/// Width of a rail's head, m.
+const HEAD_WIDTHS: RangeInclusive<f64> = 0.050..=0.090;
 
 /// Points in m, from the gauge side or flange to the field side, with the slope at each.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +45,8 @@ impl PointProfile {
     /// Reads a file of points.
     ///
     /// # Errors
-    /// When the file cannot be read, a line has no two numbers, or fewer than five points are left.
+    /// When the file cannot be read, a line has no two numbers or leaves a gap, or fewer than five points
+    /// are left.
     pub fn from_file(path: &Path) -> Result<Self, ContactError> {
         let file = path.display().to_string();
         let text = std::fs::read_to_string(path).map_err(|error| ContactError::ProfileFile {
@@ -47,7 +61,10 @@ impl PointProfile {
     /// # Errors
     /// As [`Self::from_file`].
     pub fn from_text(text: &str, name: &str) -> Result<Self, ContactError> {
-        let profile = Self::new(name.into(), point_file::read(text, name)?);
+        let points = point_file::read(text, name)?;
+        refuse_gaps(&points, name)?;
+        let profile =
+            Self::new(name.into(), points.iter().map(|point| point.coordinates).collect());
         match profile.points.len() {
             0..5 => Err(profile.wrong(format!(
                 "only {} points go on from the gauge side to the field side; at least 5 are needed",
@@ -60,6 +77,25 @@ impl PointProfile {
     /// The error of a file that cannot be used.
     fn wrong(&self, reason: impl Into<String>) -> ContactError {
         ContactError::ProfileFile { file: self.name.clone(), reason: reason.into() }
+    }
+
+    /// Refuses a `length` in m that no wheel or rail has.
+    fn ensure(
+        &self,
+        what: &str,
+        length: f64,
+        possible: RangeInclusive<f64>,
+    ) -> Result<(), ContactError> {
+        match possible.contains(&length) {
+            true => Ok(()),
+            false => Err(self.wrong(format!(
+                "the {what} is {}; it must lie between {} and {}: are the lengths in the unit that \
+                 the file says, mm where it says none, and are all points there?",
+                millimetres(length),
+                millimetres(*possible.start()),
+                millimetres(*possible.end())
+            ))),
+        }
     }
 
     /// The part of the outline on which a wheel can run: from the highest point both ways as far as the
@@ -109,7 +145,7 @@ impl PointProfile {
     /// The profile of a wheel, whose height is 0 at the running circle.
     ///
     /// # Errors
-    /// When the running circle or the flange is not where a wheel has it.
+    /// When the running circle or the flange is not where a wheel has it, or its size is not a wheel's.
     pub(super) fn of_wheel(mut self) -> Result<Self, ContactError> {
         let (begin, end) = self.range();
         if begin >= 0.0 || end <= 0.0 {
@@ -125,7 +161,10 @@ impl PointProfile {
                  counts towards the field side; heights count downwards",
             ));
         }
+        self.ensure("width of the wheel", end - begin, WHEEL_WIDTHS)?;
         let level = self.at(0.0).height;
+        let lowest = self.points.iter().fold(level, |lowest, point| lowest.max(point.1));
+        self.ensure("height of the flange", lowest - level, FLANGE_HEIGHTS)?;
         self.points.iter_mut().for_each(|point| point.1 -= level);
         Ok(self)
     }
@@ -133,7 +172,7 @@ impl PointProfile {
     /// The profile of a rail.
     ///
     /// # Errors
-    /// When its highest point is an end.
+    /// When its highest point is an end, or its width is not that of a rail's head.
     pub(super) fn of_rail(self) -> Result<Self, ContactError> {
         let (begin, end) = self.range();
         let top = self.lateral_of(|a, b| a < b);
@@ -143,6 +182,7 @@ impl PointProfile {
                  the head are needed",
             ));
         }
+        self.ensure("width of the rail's head", end - begin, HEAD_WIDTHS)?;
         Ok(self)
     }
 
@@ -173,6 +213,22 @@ impl PointProfile {
             _ => self.points[0].0,
         }
     }
+}
+
+/// Refuses two points one after the other that are far apart across the track.
+fn refuse_gaps(points: &[FilePoint], name: &str) -> Result<(), ContactError> {
+    let gap = |pair: &[FilePoint]| (pair[1].coordinates.0 - pair[0].coordinates.0).abs();
+    // A step may be the longest possible one as it is written, and longer by a rounding in metres.
+    let Some(pair) = points.windows(2).find(|pair| gap(pair) > GREATEST_STEP + LEAST_STEP) else {
+        return Ok(());
+    };
+    let reason = format!(
+        "{} across the track from the point before; points must be at most {} apart: is the number \
+         right, and are there points missing?",
+        millimetres(gap(pair)),
+        millimetres(GREATEST_STEP)
+    );
+    Err(point_file::in_line(name, pair[1].line, reason))
 }
 
 /// Slopes of the parabolas through each point and its neighbours.
@@ -233,16 +289,44 @@ mod tests {
     #[test]
     fn profiles_the_wrong_way_round_are_told() {
         let profile = |text| PointProfile::from_text(text, "p").unwrap();
-        let wheel = "-60 25\n-40 20\n0 0\n20 -1\n40 -2\n60 -3";
+        let wheel = "-60 25\n-40 20\n-20 9\n0 0\n20 -1\n40 -2\n60 -3";
         assert_eq!(profile(wheel).of_wheel().unwrap().at(0.0).height, 0.0);
-        let mirrored = "60 25\n40 20\n0 0\n-20 -1\n-40 -2\n-60 -3";
+        let mirrored = "60 25\n40 20\n20 9\n0 0\n-20 -1\n-40 -2\n-60 -3";
         let message = profile(mirrored).of_wheel().unwrap_err().to_string();
         assert!(message.contains("tip of the flange"), "{message}");
-        let aside = "10 25\n30 20\n70 0\n90 -1\n110 -2";
+        let aside = "10 25\n30 20\n50 9\n70 0\n90 -1\n110 -2";
         let message = profile(aside).of_wheel().unwrap_err().to_string();
         assert!(message.contains("from 10.0 to 110.0 mm"), "{message}");
         let upwards = "-30 -9\n-20 -4\n0 0\n20 -4\n30 -9";
         let message = profile(upwards).of_rail().unwrap_err().to_string();
         assert!(message.contains("heights count downwards"), "{message}");
+    }
+
+    /// A profile in metres is a thousandth of one, and a wheel is no rail.
+    #[test]
+    fn sizes_that_no_wheel_and_no_rail_has_are_told() {
+        let text = |scale: f64| -> String {
+            let points = [(-60, 25), (-40, 20), (-20, 9), (0, 0), (20, -1), (40, -2), (60, -3)];
+            let line = |(y, z)| format!("{} {}\n", scale * f64::from(y), scale * f64::from(z));
+            points.map(line).concat()
+        };
+        let wheel = |text: &str| {
+            let profile = PointProfile::from_text(text, "p.txt")?;
+            profile.of_wheel()
+        };
+        assert!(wheel(&text(1.0)).is_ok());
+        let small = wheel(&text(0.5)).unwrap_err().to_string();
+        let wanted =
+            "p.txt: the width of the wheel is 60.0 mm; it must lie between 100.0 mm and 160.0 mm";
+        assert!(small.starts_with(wanted), "{small}");
+        let flat = wheel(&text(1.0).replace("-60 25", "-60 15").replace("-40 20", "-40 14"));
+        let flat = flat.unwrap_err().to_string();
+        assert!(flat.contains("the height of the flange is 15.0 mm"), "{flat}");
+        let wide = "-60 9\n-40 4\n-20 1\n0 0\n20 1\n40 4\n60 9";
+        let wide = PointProfile::from_text(wide, "p.prr").unwrap().of_rail().unwrap_err();
+        assert!(wide.to_string().contains("the width of the rail's head is 120.0 mm"), "{wide}");
+        let gap = PointProfile::from_text("-30 4\n-20 2\n0 0\n21 2\n30 4", "p.prr").unwrap_err();
+        let wanted = "p.prr: line 4: 21.0 mm across the track from the point before";
+        assert!(gap.to_string().starts_with(wanted), "{gap}");
     }
 }
