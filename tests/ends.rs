@@ -5,6 +5,7 @@
 //! | `ends/blame.rs` | an FMU that crashes, ends its process or never returns; killed from outside |
 //! | `ends/signals.rs` | Ctrl-C, SIGTERM, SIGHUP, a closed terminal |
 //! | `ends/kills.rs` | the program, its child or both are killed at any moment |
+//! | `ends/left_behind.rs` | every misbehaviour of an FMU: no process and no temporary file stays |
 //! | `ends/folders.rs` | a folder that is in use, has results, or whose run does not start |
 //! | `ends/disk.rs` | a full disk, a read-only or removed folder, no more open files, a closed pipe |
 //!
@@ -13,7 +14,8 @@
 mod blame;
 mod disk;
 mod folders;
-mod kills;
+pub mod kills;
+mod left_behind;
 mod signals;
 
 use std::path::Path;
@@ -73,11 +75,16 @@ pub fn send(signal: &str, processes: &[u32]) {
     kill.expect("the command kill");
 }
 
-/// Whether a process computes, waits or is held: what has ended and is not yet taken notice of does not.
+/// Whether a thread of a process computes, waits or is held: what has ended and is not yet taken notice of does
+/// not. As long as one does, the process holds its files.
 pub fn is_running(process: u32) -> bool {
-    let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).unwrap_or_default();
-    let state = stat.rsplit_once(") ").map(|(_, rest)| rest.chars().next());
-    state.is_some_and(|state| state != Some('Z') && state != Some('X'))
+    let threads = std::fs::read_dir(format!("/proc/{process}/task"));
+    let is_there = |thread: std::fs::DirEntry| {
+        let stat = std::fs::read_to_string(thread.path().join("stat")).unwrap_or_default();
+        let state = stat.rsplit_once(") ").map(|(_, rest)| rest.chars().next());
+        state.is_some_and(|state| state != Some('Z') && state != Some('X'))
+    };
+    threads.into_iter().flatten().flatten().any(is_there)
 }
 
 /// The manifest of a run.

@@ -3,11 +3,14 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Output;
+use std::process::{Output, Stdio};
+use std::time::Instant;
 
 use hotfoot_tests::hostile::{Claims, hostile_vehicle};
 use hotfoot_tests::killed::{contents, interrupt_at, kill_at};
-use hotfoot_tests::{SmallScenario, hotfoot};
+use hotfoot_tests::{SmallScenario, command, hotfoot};
+
+use crate::ends::kills::kills;
 
 /// Weather of a file, which lies in the FMU's resources while the run goes on.
 const WEATHER: &str =
@@ -98,6 +101,34 @@ fn property_a_killed_run_of_isolated_fmus_goes_on_byte_for_byte() {
         assert!(said.contains("goes on from "), "{said}");
         assert_same(folder, results);
     }
+}
+
+/// Whichever processes are killed, and whenever: what has begun goes on, and nothing is left when it has ended.
+#[test]
+fn property_a_run_killed_at_any_moment_goes_on_byte_for_byte() {
+    let scenario = heating();
+    let folder = scenario.folder.path();
+    let begin = Instant::now();
+    unbroken(folder, "scenario.toml");
+    let (mut count, mut resumed) = (0, 0);
+    for (kill, (who, moment)) in kills(begin.elapsed()).enumerate() {
+        count += 1;
+        let results = format!("killed-{kill}");
+        let mut run = command(folder, &ordered("scenario.toml", &results, "0.4"));
+        let mut run = run.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        std::thread::sleep(moment);
+        who.kill(&mut run, || ());
+        if folder.join(&results).join("checkpoint/run.toml").exists() {
+            resume(folder, &results, ["1", "2", "3"][kill % 3]);
+            resumed += 1;
+        } else if !hotfoot(folder, &["report", &results]).status.success() {
+            // Nothing had begun.
+            continue;
+        }
+        assert_same(folder, &results);
+        fs::remove_dir_all(folder.join(&results)).unwrap();
+    }
+    assert!(2 * resumed > count, "most kills come in the run, and not {resumed} of {count}");
 }
 
 /// In the run, and in what follows it: stopped by Ctrl-C, a run writes a checkpoint of its own at the step that

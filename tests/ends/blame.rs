@@ -89,6 +89,7 @@ fn an_fmu_that_fails_after_all_is_done_is_a_warning() {
     for (how, place, what) in [
         ("BY_EXIT", "AT_FREE", "fmi2FreeInstance has ended the program by exit(0)"),
         ("BY_CRASH", "AT_FREE", "fmi2FreeInstance crashed"),
+        ("BY_DOUBLE_FREE", "AT_FREE", "fmi2FreeInstance crashed with abort (SIGABRT)"),
         ("BY_LOOP", "AT_FREE", "fmi2FreeInstance did not return within 0.3 s (--end-limit)"),
         ("BY_CRASH", "AT_UNLOAD", "crashed with a memory error (SIGSEGV)"),
         ("BY_LOOP", "AT_UNLOAD", "did not return within 0.3 s (--end-limit)"),
@@ -177,14 +178,29 @@ fn a_signal_from_outside_is_no_fmus_fault() {
 
 #[test]
 fn the_limit_of_processor_time_is_named() {
-    let package = HostilePackage::new("ENDS(BY_BUSY_LOOP,AT_STEP)");
+    let said = assert_ends_at_limit("BY_BUSY_LOOP", "ulimit -t 2");
+    assert_says(&said, &["the limit of 2 s of processor time (ulimit -t)"]);
+}
+
+#[test]
+fn the_limit_of_memory_is_named() {
+    let said = assert_ends_at_limit("BY_TAKING_MEMORY", "ulimit -v 2000000");
+    assert_says(&said, &["hostile.fmu): fmi2DoStep crashed with abort (SIGABRT)"]);
+    assert_says(&said, &["memory may have run out, of which it may have 2048 MB (ulimit -v)"]);
+}
+
+/// A run whose FMU goes on at 0.05 s until a limit of the shell ends it; gives what is said.
+fn assert_ends_at_limit(how: &str, limit: &str) -> String {
+    let package = HostilePackage::new(&format!("ENDS({how},AT_STEP)"));
     let hotfoot = package.command(&[]);
     let mut limited = std::process::Command::new("sh");
-    limited.args(["-c", "ulimit -t 2; exec \"$0\" \"$@\""]).arg(hotfoot.get_program());
+    let script = format!("{limit}; exec \"$0\" \"$@\"");
+    limited.args(["-c", &script]).arg(hotfoot.get_program());
     limited.args(hotfoot.get_args()).current_dir(package.folder.path());
     let output = limited.env("TMPDIR", package.temporary()).output().unwrap();
     let said = said(&output);
-    assert_says(&said, &["the limit of 2 s of processor time (ulimit -t)"]);
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert_eq!(times(&package.results()), until_trouble());
+    assert!(package.left().is_empty());
+    said
 }

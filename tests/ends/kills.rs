@@ -4,7 +4,7 @@
 
 use std::fs::{self, File};
 use std::path::Path;
-use std::process::Stdio;
+use std::process::{Child, Stdio};
 use std::time::Duration;
 
 use arrow_ipc::reader::StreamReader;
@@ -13,30 +13,61 @@ use hotfoot_tests::package::{HostilePackage, times};
 
 use super::{child_of, is_running, send, wait_until};
 
-/// Kills in the quick test.
+/// Kills in the quick tests.
 const FEW: u64 = 9;
 
 /// Which processes are killed.
 #[derive(Debug, Clone, Copy)]
-enum Killed {
+pub enum Killed {
     Child,
     Parent,
     Both,
 }
 
-#[test]
-fn a_kill_at_any_moment_loses_no_whole_record() {
+/// The kills of a test: whom, and how long after the start, spread over this time.
+pub fn kills(longest: Duration) -> impl Iterator<Item = (Killed, Duration)> {
     let kills = std::env::var("HOTFOOT_KILLS").ok();
     let kills = kills.map_or(FEW, |kills| kills.parse().expect("HOTFOOT_KILLS is a number"));
-    let mut recorded = 0;
-    for kill in 0..kills {
+    let longest = u64::try_from(longest.as_micros()).expect("a short time");
+    (0..kills).map(move |kill| {
         let who = [Killed::Child, Killed::Parent, Killed::Both][kill as usize % 3];
-        // Moments that spread over two and a half seconds, of which two and a bit are steps.
-        let moment = Duration::from_micros(kill.wrapping_mul(0x9E37_79B9_7F4A_7C15) % 2_500_000);
+        // Multiples of the golden ratio fill a range evenly.
+        (who, Duration::from_micros(kill.wrapping_mul(0x9E37_79B9_7F4A_7C15) % longest))
+    })
+}
+
+impl Killed {
+    /// Kills what is to be killed of a run and waits for the end of all of it. While both processes are held, so
+    /// that they leave the files alone, `look` looks at these; gives what it has found, and whether the run had
+    /// ended before.
+    pub fn kill<T>(self, run: &mut Child, look: impl FnOnce() -> T) -> (T, bool) {
+        let (parent, child) = (run.id(), child_of(run.id()));
+        let both: Vec<u32> = [parent].into_iter().chain(child).collect();
+        send("STOP", &both);
+        let found = look();
+        let had_ended = run.try_wait().unwrap().is_some();
+        match self {
+            Self::Child => send("KILL", &child.map_or(vec![parent], |child| vec![child])),
+            Self::Parent => send("KILL", &[parent]),
+            Self::Both => send("KILL", &both),
+        }
+        send("CONT", &both);
+        run.wait().unwrap();
+        wait_until("the end of all processes", || !both.iter().any(|&own| is_running(own)));
+        (found, had_ended)
+    }
+}
+
+#[test]
+fn a_kill_at_any_moment_loses_no_whole_record() {
+    let (mut count, mut recorded) = (0, 0);
+    // Two seconds and a bit are steps.
+    for (who, moment) in kills(Duration::from_millis(2500)) {
         let package = HostilePackage::new("SLOW");
+        count += 1;
         recorded += usize::from(kill_at(&package, who, moment) > 0);
     }
-    assert!(recorded as u64 > kills / 3, "most kills come after the first record");
+    assert!(recorded > count / 3, "most kills come after the first record");
 }
 
 /// Kills a run after a time, completes its results, and gives their number of records.
@@ -44,20 +75,7 @@ fn kill_at(package: &HostilePackage, who: Killed, moment: Duration) -> usize {
     let mut command = package.command(&["--duration", "2"]);
     let mut run = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
     std::thread::sleep(moment);
-    let (parent, child) = (run.id(), child_of(run.id()));
-    let both: Vec<u32> = [parent].into_iter().chain(child).collect();
-    // Held, both leave the files alone while their records are counted.
-    send("STOP", &both);
-    let whole = whole_records(&package.results());
-    let had_ended = run.try_wait().unwrap().is_some();
-    match who {
-        Killed::Child => send("KILL", &child.map_or(vec![parent], |child| vec![child])),
-        Killed::Parent => send("KILL", &[parent]),
-        Killed::Both => send("KILL", &both),
-    }
-    send("CONT", &both);
-    run.wait().unwrap();
-    wait_until("the end of all processes", || !both.iter().any(|&process| is_running(process)));
+    let (whole, had_ended) = who.kill(&mut run, || whole_records(&package.results()));
     let circumstances = format!("{who:?} killed after {moment:?}, {whole} whole records");
 
     let report = package.program(&["report", "results"]).output().unwrap();

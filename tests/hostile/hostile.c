@@ -56,7 +56,16 @@ enum { INTEGERS = 1, BOOLEANS = 1 };
 #define EXPORT __attribute__((visibility("default")))
 
 /* Ends of the process, and calls that do not return: ENDS(how, where). */
-enum { BY_EXIT, BY_EXIT_AT_ONCE, BY_CRASH, BY_CRASH_OF_THREAD, BY_LOOP, BY_BUSY_LOOP };
+enum {
+    BY_EXIT,
+    BY_EXIT_AT_ONCE,
+    BY_CRASH,
+    BY_CRASH_OF_THREAD,
+    BY_LOOP,
+    BY_BUSY_LOOP,
+    BY_DOUBLE_FREE,
+    BY_TAKING_MEMORY /* until there is no more */
+};
 enum { AT_LOAD, AT_INSTANTIATE, AT_INIT, AT_STEP, AT_TERMINATE, AT_FREE, AT_UNLOAD };
 #define ENDS(how, where) (1000 + 10 * (how) + (where))
 /* Two that end nothing: a step that takes a millisecond, and one that reads the standard input. */
@@ -66,6 +75,15 @@ enum { AT_LOAD, AT_INSTANTIATE, AT_INIT, AT_STEP, AT_TERMINATE, AT_FREE, AT_UNLO
 static void *crash(void *nothing) {
     *(volatile int *)nothing = 1;
     return NULL;
+}
+static void free_twice(void) {
+    void *memory = malloc(40);
+    free(memory);
+    free(memory);
+}
+static void take_memory(void) {
+    for (void *memory; (memory = malloc(1 << 20)) != NULL;) memset(memory, 1, 1 << 20);
+    abort();
 }
 static void end_at(int where) {
     pthread_t thread;
@@ -79,6 +97,8 @@ static void end_at(int where) {
         pthread_join(thread, NULL);
     case BY_LOOP: for (;;) sleep(1);
     case BY_BUSY_LOOP: for (volatile int i = 0;;) i = i;
+    case BY_DOUBLE_FREE: free_twice(); return;
+    case BY_TAKING_MEMORY: take_memory();
     }
 }
 __attribute__((constructor)) static void at_load(void) { end_at(AT_LOAD); }

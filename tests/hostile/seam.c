@@ -94,12 +94,9 @@ static int seam_step(Instance *i) {
         change_mxcsr(0x0680, 0);
         __asm__ volatile("fldcw %0" : : "m"(x87));
         return OK;
-    case DOUBLE_FREE: {
-        void *memory = malloc(40);
-        free(memory);
-        free(memory);
+    case DOUBLE_FREE:
+        free_twice();
         return OK;
-    }
     case NULL_ENVIRONMENT:
     case OWN_ENVIRONMENT:
         c->logger(BEHAVIOUR == OWN_ENVIRONMENT ? (void *)1 : NULL, "hostile", WARNING,

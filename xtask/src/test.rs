@@ -47,10 +47,16 @@ pub fn run_all() -> Result<()> {
     Ok(())
 }
 
-/// The tests of runs that are killed, with so many kills; FMUs and the program must be built.
+/// The tests of runs that are killed, with so many kills each; FMUs and the program must be built.
 pub fn kill_runs(kills: u32) -> Result<()> {
-    let test = ["test", "--release", "-p", "hotfoot-tests", "--test", "system", "ends::kills"];
-    run(cargo().args(test).args(["--", "--nocapture"]).env("HOTFOOT_KILLS", kills.to_string()))
+    let kills = kills.to_string();
+    let test = ["test", "--release", "-p", "hotfoot-tests", "--test", "system", "--"];
+    let tests = ["kill_at_any_moment", "killed_at_any_moment", "--nocapture"];
+    run(cargo().args(test).args(tests).env("HOTFOOT_KILLS", &kills))?;
+    let python = python::interpreter()?;
+    run(Command::new(python)
+        .args(["-m", "pytest", "-q", "tests/python/test_killed.py"])
+        .env("HOTFOOT_KILLS", &kills))
 }
 
 /// All at once, since the tests' dependencies give others more features: built one after the other,

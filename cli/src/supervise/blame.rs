@@ -121,7 +121,7 @@ impl Death<'_> {
                 let code = self.status.code().unwrap_or(0);
                 format!("{subject} has ended the program by exit({code})")
             }
-            EndedBy::Crash(signal) => format!("{subject} crashed with {}", crash(signal)),
+            EndedBy::Crash(signal) => format!("{subject} {}", crash(signal)),
             EndedBy::SignalFromOutside(signal) => from_outside(signal),
         }
     }
@@ -137,6 +137,11 @@ impl Death<'_> {
                 "the system has killed the program at the limit of {} s of processor time (ulimit -t)",
                 spent_processor_time().unwrap_or_default()
             ),
+            // One from outside would have been noted, unless an FMU handles signals itself.
+            (Some(signal), _) if crash_name(signal).is_some() => match calls.as_slice() {
+                [] => format!("the program {} while no FMU was called", crash(signal)),
+                calls => format!("{} {}", self::calls(calls), crash(signal)),
+            },
             (Some(signal), _) => from_outside(signal),
             (None, Some(PANIC)) => {
                 "Hotfoot itself has failed, with the message above; this is a fault of \
@@ -182,12 +187,13 @@ fn calls(calls: &[Call]) -> String {
     }
 }
 
-/// What a crash is, with its signal.
+/// That something crashed, with the signal.
 fn crash(signal: i32) -> String {
     let memory = memory_limit().filter(|_| signal == ABORT).map(|limit| {
         format!("; memory may have run out, of which it may have {:.0} MB (ulimit -v)", limit / 1e6)
     });
-    format!("{}{}", crash_name(signal), memory.unwrap_or_default())
+    let name = crash_name(signal).unwrap_or("a signal");
+    format!("crashed with {name}{}", memory.unwrap_or_default())
 }
 
 fn from_outside(signal: i32) -> String {

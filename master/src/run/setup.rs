@@ -58,6 +58,16 @@ impl Setup {
         self.stages.iter().cloned().zip((0..).map(count)).collect()
     }
 
+    /// The time to which the rails come in the run of the train, s.
+    pub fn rails_run(&self) -> f64 {
+        self.rails.time(&self.system, self.steps)
+    }
+
+    /// When all ends that the rails go through, s.
+    pub fn rails_end(&self) -> f64 {
+        self.rails.traffic.end(self.rails_run())
+    }
+
     /// Begins the series in `folder`.
     ///
     /// # Errors

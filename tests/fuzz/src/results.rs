@@ -2,15 +2,14 @@
 
 use field::{Axes, FieldReader, FieldWriter};
 use hotfoot::recording::{self, KeyValue, SeriesReader, TRAIN_TABLE};
-use hotfoot::run::expected;
-use hotfoot::run::manifest::Manifest;
+use hotfoot::run::{expected, folder};
 
 use crate::scratch::Scratch;
 
 /// A manifest, and what a report would be made of.
 pub fn manifest(bytes: &[u8]) {
     let scratch = Scratch::with("manifest.toml", bytes);
-    let _ = Manifest::read(scratch.folder());
+    let _ = folder::is_complete(scratch.folder());
     let _ = hotfoot::report::write(scratch.folder());
 }
 

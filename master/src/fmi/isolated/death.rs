@@ -25,10 +25,9 @@ impl Death {
         let by = page.culprit().map(|culprit| culprit.by);
         let reason = match (by, status.signal()) {
             (Some(EndedBy::Exit), _) => format!("it has ended its process by exit({code})"),
-            (Some(EndedBy::Crash(signal)), _) => format!("it crashed with {}", crash_name(signal)),
-            (Some(EndedBy::SignalFromOutside(signal)), _) | (None, Some(signal)) => {
-                format!("its process was ended from outside, by signal {signal}")
-            }
+            (Some(EndedBy::SignalFromOutside(signal)), _) => from_outside(signal),
+            (Some(EndedBy::Crash(signal)), _) | (None, Some(signal)) => crash_name(signal)
+                .map_or_else(|| from_outside(signal), |name| format!("it crashed with {name}")),
             (None, None) if code == PANIC => {
                 "its process has failed with the message above, which is a fault of Hotfoot"
                     .to_owned()
@@ -52,6 +51,10 @@ impl Death {
             "it has damaged the memory by which it answers, so its process was ended".to_owned();
         Self { function: function(page), reason }
     }
+}
+
+fn from_outside(signal: i32) -> String {
+    format!("its process was ended from outside, by signal {signal}")
 }
 
 /// The function that is being called.

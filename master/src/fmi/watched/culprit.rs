@@ -41,15 +41,16 @@ pub enum EndedBy {
     SignalFromOutside(i32),
 }
 
-/// What a crash is, with the name of its signal.
-pub fn crash_name(signal: i32) -> &'static str {
-    match signal {
+/// What a crash is, with the name of its signal; none for signals that are no crash.
+pub fn crash_name(signal: i32) -> Option<&'static str> {
+    Some(match signal {
+        4 => "an illegal instruction (SIGILL)",
         6 => "abort (SIGABRT)",
-        7 | 10 => "a memory error (SIGBUS)",
-        11 => "a memory error (SIGSEGV)",
+        7 => "a memory error (SIGBUS)",
         8 => "an arithmetic error (SIGFPE)",
-        _ => "an illegal instruction (SIGILL)",
-    }
+        11 => "a memory error (SIGSEGV)",
+        _ => return None,
+    })
 }
 
 /// The thread that has ended the program.
