@@ -31,6 +31,18 @@ fn a_typo_is_answered_with_line_and_keys() {
 }
 
 #[test]
+fn a_folder_without_scenario_is_answered_with_those_below_it() {
+    let scenario = SmallScenario::new(1.0);
+    let below = scenario.folder.path().join("below");
+    std::fs::create_dir_all(below.join("one")).unwrap();
+    let answer = || refusal(&scenario.hotfoot(&["run", "below"]));
+    let neither = "below: this folder has neither a scenario.toml nor a SystemStructure.ssd";
+    assert_says(&answer(), &[neither]);
+    std::fs::write(below.join("one/scenario.toml"), "").unwrap();
+    assert_says(&answer(), &[neither, "; there are scenarios in below/one"]);
+}
+
+#[test]
 fn a_step_of_zero_is_answered_with_its_bound() {
     let mut scenario = SmallScenario::new(1.0);
     scenario.text = scenario.text.replace("step_s = 0.001", "step_s = 0.0");

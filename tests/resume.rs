@@ -210,17 +210,29 @@ fn property_a_train_alone_goes_on_byte_for_byte() {
     assert_same(folder, "killed");
 }
 
+/// A package, its folder, and its structure alone, each with options that the resumed run has too.
 #[test]
 fn property_a_package_goes_on_byte_for_byte() {
     let scenario = heating();
     let folder = scenario.folder.path();
     let exported = scenario.hotfoot(&["export-ssp", "scenario.toml", "-o", "train.ssp"]);
     assert!(exported.status.success(), "{}", said(&exported));
-    unbroken(folder, "train.ssp");
-    let ordered = ordered("train.ssp", "killed", "0.3");
-    kill_at(folder, &ordered, "killed", 4);
-    resume(folder, "killed", "3");
-    assert_same(folder, "killed");
+    let package = fs::File::open(folder.join("train.ssp")).unwrap();
+    zip::ZipArchive::new(package).unwrap().extract(folder.join("train")).unwrap();
+    for (what, options) in [
+        ("train.ssp", &[][..]),
+        ("train", &["--tolerance", "1e-5", "--checks", "warn"]),
+        ("train/SystemStructure.ssd", &["--same-thread"]),
+    ] {
+        let run = ["run", what, "--quiet", "--overwrite", "--results", "unbroken"];
+        let run = hotfoot(folder, &[&run, options].concat());
+        assert!(run.status.success(), "{}", said(&run));
+        let ordered = [&ordered(what, "killed", "0.3"), options].concat();
+        kill_at(folder, &ordered, "killed", 4);
+        resume(folder, "killed", "3");
+        assert_same(folder, "killed");
+        fs::remove_dir_all(folder.join("killed")).unwrap();
+    }
 }
 
 /// An FMU that cannot save its state is named at the start; the run goes on to its end without checkpoints.

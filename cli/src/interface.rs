@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Result;
-use hotfoot::{Interface, archive, scenario, xml_text};
+use hotfoot::{Interface, archive, printable, scenario, xml_text};
 
 use crate::output::{print, write};
 use crate::supervise::temporary::Temporary;
@@ -23,8 +23,8 @@ pub fn interface(fmu: &Path, xml: bool) -> Result<()> {
     }
     let interface = Interface::from_xml(&text)?;
     for variable in interface.variables() {
-        let unit = variable.unit.as_deref().unwrap_or("");
-        print(format_args!("{:<9} {:<52} {unit}", variable.causality, variable.name))?;
+        let unit = printable(variable.unit.as_deref().unwrap_or(""));
+        print(format_args!("{:<9} {:<52} {unit}", variable.causality, printable(&variable.name)))?;
     }
     Ok(())
 }

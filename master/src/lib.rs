@@ -29,6 +29,7 @@ pub mod ssp;
 mod system;
 mod train;
 
+pub use files::printable::printable;
 pub use files::{archive, xml_text};
 pub use fmi::{FmuInstance, Import, Manner, UNLOADING, note_unloading, pack, unit, watched};
 #[cfg(target_os = "linux")]

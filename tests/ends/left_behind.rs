@@ -45,7 +45,7 @@ fn no_misbehaviour_leaves_anything_behind() {
     for word in words {
         let package = HostilePackage::new(&word);
         for further in [&[][..], &["--isolate", "all"]] {
-            package.run(&[&limits, &["--overwrite"], further].concat());
+            package.run(&[&limits[..], &["--overwrite"], further].concat());
             assert_eq!(package.left(), Vec::<PathBuf>::new(), "{word} {further:?}");
             let running = running_in(package.folder.path());
             assert_eq!(running, Vec::<u32>::new(), "{word} {further:?}");

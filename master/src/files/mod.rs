@@ -1,6 +1,7 @@
-//! Files on disk: archives, XML in its encodings, and what goes wrong with a file.
+//! Files on disk: archives, XML in its encodings, texts of other makers, and what goes wrong with a file.
 
 pub mod archive;
 pub mod file_error;
+pub mod printable;
 pub mod xml_depth;
 pub mod xml_text;

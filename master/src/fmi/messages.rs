@@ -14,6 +14,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use serde::{Deserialize, Serialize};
 
 use super::binding::OK;
+use crate::files::printable::printable;
 use crate::system::clock::shown;
 
 /// Warnings kept per instance; an FMU that warns in each step must not fill the memory.
@@ -212,20 +213,6 @@ impl Messages {
     }
 }
 
-/// A text of an FMU as a terminal may show it: control characters, and those that turn the direction of
-/// writing, as their codes.
-fn printable(text: &str) -> String {
-    let turns = |c| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    let mut shown = String::new();
-    for c in text.trim_end().chars() {
-        match c.is_control() || turns(c) {
-            true => shown.extend(c.escape_default()),
-            false => shown.push(c),
-        }
-    }
-    shown
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::binding::WARNING;
@@ -281,12 +268,6 @@ mod tests {
         Messages::leave(outer);
         Messages::take_in(0, Path::new("find-1.so"), WARNING, "by binary");
         assert_eq!((taken(two), taken(other)), (vec!["by binary".to_owned()], vec![]));
-    }
-
-    #[test]
-    fn what_a_terminal_would_obey_is_shown() {
-        assert_eq!(printable("a\u{1b}[2Jb\tc\u{9b}31m\n"), "a\\u{1b}[2Jb\\tc\\u{9b}31m");
-        assert_eq!(printable("Züge über 100 °C"), "Züge über 100 °C");
     }
 
     #[test]

@@ -1,5 +1,6 @@
-//! The course of a run that is set up: it starts, goes on, and whatever happens, what was computed is completed
-//! on disk.
+//! The course of a run that is set up: it starts, steps, and is completed.
+//!
+//! Whatever happens, what was computed is whole on disk.
 
 use std::path::Path;
 
@@ -29,7 +30,7 @@ pub fn perform(
     beginning: &mut Beginning,
 ) -> Result<Done, RunError> {
     let mut started = start(setup, results, quiet, beginning)?;
-    let outcome = go_on(setup, &mut started, beginning.checkpoints.as_mut());
+    let outcome = step_through(setup, &mut started, beginning.checkpoints.as_mut());
     started.progress.finish();
     complete(setup, results, started.recorder, outcome)
 }
@@ -68,7 +69,7 @@ fn start(
 }
 
 /// Takes all units through the run, and the rails through what follows it, until somebody wants it to end.
-fn go_on(
+fn step_through(
     setup: &mut Setup,
     started: &mut Started,
     mut checkpoints: Option<&mut Checkpoints>,

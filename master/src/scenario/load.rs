@@ -21,6 +21,9 @@ pub fn file_of(path: &Path) -> PathBuf {
 /// When the file cannot be read or something in it is wrong.
 pub fn load(path: &Path) -> Result<(Scenario, PathBuf, String), Mistake> {
     let file = file_of(path);
+    if path.is_dir() && !file.exists() {
+        return Err(no_scenario(path));
+    }
     let document = Document::read(&file)?;
     let mut scenario = read(&document)?;
     let folder = std::path::absolute(&file)
@@ -29,6 +32,22 @@ pub fn load(path: &Path) -> Result<(Scenario, PathBuf, String), Mistake> {
         .unwrap_or_default();
     resolve_paths(&mut scenario, &folder, &document.check())?;
     Ok((scenario, file, document.text().to_owned()))
+}
+
+/// The error of a folder that holds nothing that could be run, with the scenarios below it.
+fn no_scenario(folder: &Path) -> Mistake {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let below =
+        entries.map(|entry| entry.path()).filter(|path| file_of(path).is_file() && path.is_dir());
+    let mut below: Vec<_> = below.map(|path| path.display().to_string()).collect();
+    below.sort();
+    let below = match below.as_slice() {
+        [] => String::new(),
+        scenarios => format!("; there are scenarios in {}", scenarios.join(", ")),
+    };
+    let sentence =
+        format!("this folder has neither a scenario.toml nor a SystemStructure.ssd{below}");
+    Mistake::in_file(folder.display(), sentence)
 }
 
 fn read(document: &Document) -> Result<Scenario, Mistake> {

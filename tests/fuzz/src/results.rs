@@ -2,14 +2,15 @@
 
 use field::{Axes, FieldReader, FieldWriter};
 use hotfoot::recording::{self, KeyValue, SeriesReader, TRAIN_TABLE};
-use hotfoot::run::{expected, folder};
+use hotfoot::run::expected;
+use hotfoot::run::folder::complete::is_complete;
 
 use crate::scratch::Scratch;
 
 /// A manifest, and what a report would be made of.
 pub fn manifest(bytes: &[u8]) {
     let scratch = Scratch::with("manifest.toml", bytes);
-    let _ = folder::is_complete(scratch.folder());
+    let _ = is_complete(scratch.folder());
     let _ = hotfoot::report::write(scratch.folder());
 }
 

@@ -182,8 +182,9 @@ impl Page {
     }
 }
 
-/// Memory of so many bytes as a file, which the child opens under the path of this process's descriptor.
-/// Nobody can cut it while it is mapped.
+/// Memory of so many bytes as a file, which nobody can cut while it is mapped.
+///
+/// The child opens it under the path of this process's descriptor.
 ///
 /// # Errors
 /// When the system gives none.
