@@ -39,7 +39,7 @@ fn a_folder_without_scenario_is_answered_with_those_below_it() {
     let neither = "below: this folder has neither a scenario.toml nor a SystemStructure.ssd";
     assert_says(&answer(), &[neither]);
     std::fs::write(below.join("one/scenario.toml"), "").unwrap();
-    assert_says(&answer(), &[neither, "; there are scenarios in below/one"]);
+    assert_says(&answer(), &[neither, "; there are scenarios in", "below/one"]);
 }
 
 #[test]

@@ -11,6 +11,7 @@ use hotfoot_tests::killed::{contents, interrupt_at, kill_at};
 use hotfoot_tests::{SmallScenario, command, hotfoot};
 
 use crate::ends::kills::kills;
+use crate::ends::wait_until;
 
 /// Weather of a file, which lies in the FMU's resources while the run goes on.
 const WEATHER: &str =
@@ -116,13 +117,15 @@ fn property_a_run_killed_at_any_moment_goes_on_byte_for_byte() {
         let results = format!("killed-{kill}");
         let mut run = command(folder, &ordered("scenario.toml", &results, "0.4"));
         let mut run = run.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        let order = folder.join(&results).join("checkpoint/run.toml");
+        wait_until("the order to run", || order.exists());
         std::thread::sleep(moment);
         who.kill(&mut run, || ());
-        if folder.join(&results).join("checkpoint/run.toml").exists() {
+        if order.exists() {
             resume(folder, &results, ["1", "2", "3"][kill % 3]);
             resumed += 1;
-        } else if !hotfoot(folder, &["report", &results]).status.success() {
-            // Nothing had begun.
+        } else if !folder.join(&results).exists() {
+            // Nothing was recorded, so the folder went.
             continue;
         }
         assert_same(folder, &results);
