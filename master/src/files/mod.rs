@@ -1,4 +1,4 @@
-//! Files on disk: archives, XML in its encodings, texts of other makers, and what goes wrong with a file.
+//! Files on disk: archives, XML in its encodings, foreign texts, and what goes wrong with a file.
 
 pub mod archive;
 pub mod file_error;
