@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use files::Setting;
 use serde::{Deserialize, Serialize};
 
 use super::error::CheckpointError;
@@ -36,6 +37,8 @@ pub struct Order {
     checks: Option<Checks>,
     /// Whether FMUs have a thread of their own.
     same_thread: bool,
+    /// Values of the scenario's keys of the command line.
+    settings: Vec<Setting>,
     /// Times of the command line, and how often a checkpoint is written.
     pub times: Times,
     input: Vec<Input>,
@@ -81,7 +84,7 @@ impl Order {
         results: &Path,
         files: Vec<PathBuf>,
     ) -> Result<Self, FileError> {
-        let Options { fmus, times, tolerance, checks, same_thread, .. } = options;
+        let Options { fmus, settings, times, tolerance, checks, same_thread, .. } = options;
         let mut order = Self {
             hotfoot: PROGRAM.to_owned(),
             results: results.to_owned(),
@@ -90,6 +93,7 @@ impl Order {
             tolerance: *tolerance,
             checks: *checks,
             same_thread: *same_thread,
+            settings: settings.clone(),
             times: *times,
             input: vec![],
         };
@@ -105,6 +109,7 @@ impl Order {
         Options {
             threads: others.threads,
             fmus: self.fmus.clone(),
+            settings: self.settings.clone(),
             times: self.times,
             tolerance: self.tolerance,
             checks: self.checks,
