@@ -255,7 +255,10 @@ fn a_setting_that_is_wrong_is_named() {
     let scenario = SmallScenario::new(1.0);
     for (setting, parts) in [
         ("train.speed_m_per_s=fast", ["train.speed_m_per_s = \"fast\": must be a number", "7:17"]),
-        ("train.sped=20", ["there is no key `sped` in train", "did you mean `speed_m_per_s`?"]),
+        (
+            "train.sped=20",
+            ["there is no key `sped` in train", "Known here: `leading_vehicle_position_m`"],
+        ),
         ("duration_s=-1", ["duration_s = -1: must be at least", "scenario.toml with --set"]),
         ("train.vehicles[7].count=2", ["cannot be set", "element of a list that is there"]),
         ("speed", ["a key and its value, as in train.speed_m_per_s=20", "--set <KEY=VALUE>"]),

@@ -94,7 +94,7 @@ def test_the_rail_runs_alone_and_is_heated_by_a_wheel_with_friction():
     signals = np.zeros(time.size, dtype=dtype)
     signals["time"] = time
     signals[f"{wheel}.position"] = 10.0 + 16.67 * time
-    for name, value in zip(names[1:], [16.67, 2e3, 109.5e3, 7e-3, 6e-3]):
+    for name, value in zip(names[1:], [16.67, 20e3, 109.5e3, 7e-3, 6e-3]):
         signals[f"{wheel}.{name}"] = value
     result = simulate_fmu(
         str(FMUS["railheat"]),

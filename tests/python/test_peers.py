@@ -32,13 +32,18 @@ CASES = {
         ["vehicle[1].velocity", "vehicle[1].coupler.rear.force"],
     ),
     "railheat": (
-        {"track.length": 100.0, "initial.equilibrium": False, "initial.temperature": 320.0},
+        {
+            "model": "paper",
+            "track.length": 100.0,
+            "initial.equilibrium": False,
+            "initial.temperature": 320.0,
+        },
         ["untouched.surface.rise", "energy.stored"],
     ),
 }
 
 # What SSP calls the types of start values.
-KINDS = {float: "Real", bool: "Boolean"}
+KINDS = {float: "Real", bool: "Boolean", str: "String"}
 
 
 def text(value):
@@ -120,7 +125,7 @@ START = {
 OUTPUTS = [
     ("vehicle", "velocity"),
     ("longitudinal", "vehicle[1].coupler.rear.force"),
-    ("railheat", "highest.surface.rise"),
+    ("railheat", "highest.flash.rise"),
 ]
 
 
