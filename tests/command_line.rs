@@ -243,3 +243,79 @@ fn a_wrong_line_of_a_weather_file_is_answered_with_the_users_file() {
     assert_says(&message, &["weather.csv:1:1: the columns must be time_s,air_degC"]);
     assert!(!message.contains("resources"), "the copy is not named: {message}");
 }
+
+/// A setting goes before the file: the notch stays, the speed is that of the option, and the manifest has both.
+#[test]
+fn settings_of_the_command_line_go_before_the_file() {
+    let mut scenario = SmallScenario::new(0.05);
+    scenario.leave_out_heat();
+    let settings = ["--set", "train.speed_m_per_s=10", "--set", "train.couplers=unstressed"];
+    scenario.run_well(&settings);
+    let manifest = std::fs::read_to_string(scenario.results().join("manifest.toml")).unwrap();
+    let manifest: toml::Table = manifest.parse().unwrap();
+    let ran: toml::Table = manifest["scenario"].as_str().unwrap().parse().unwrap();
+    assert_eq!(ran["train"]["speed_m_per_s"].as_integer(), Some(10));
+    assert_eq!(ran["train"]["couplers"].as_str(), Some("unstressed"));
+    let series = scenario.results().join("series");
+    let table = hotfoot::recording::SeriesReader::open(&series, "vehicles").unwrap();
+    let first = [("vehicle", hotfoot::recording::KeyValue::Integer(1))];
+    assert_eq!(table.read("velocity", &first).unwrap()[0], 10.0);
+}
+
+#[test]
+fn a_setting_that_is_wrong_is_named() {
+    let scenario = SmallScenario::new(1.0);
+    for (setting, parts) in [
+        ("train.speed_m_per_s=fast", ["train.speed_m_per_s = \"fast\": must be a number", "7:17"]),
+        (
+            "train.sped=20",
+            ["there is no key `sped` in train", "Known here: `leading_vehicle_position_m`"],
+        ),
+        ("duration_s=-1", ["duration_s = -1: must be at least", "scenario.toml with --set"]),
+        ("train.vehicles[7].count=2", ["cannot be set", "element of a list that is there"]),
+        ("speed", ["a key and its value, as in train.speed_m_per_s=20", "--set <KEY=VALUE>"]),
+    ] {
+        let message = refusal(&scenario.run(&["--set", setting]));
+        assert_says(&message, &parts);
+    }
+    let fmu = fmu("synchronisation").display().to_string();
+    let message = refusal(&hotfoot(scenario.folder.path(), &["run", &fmu, "--set", "step_s=1"]));
+    assert_says(&message, &["--set step_s=1", "a package or an FMU has none"]);
+}
+
+/// A new scenario runs as it is, and is not written over one that is there.
+#[test]
+fn a_new_scenario_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    for (template, name) in [("first-look", "first-look"), ("wet-rail", "rain")] {
+        let arguments: &[&str] = match name {
+            "first-look" => &["new"],
+            name => &["new", name, "--from", template],
+        };
+        let output = hotfoot(folder.path(), arguments);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert_says(&said, &[&format!("hotfoot run {name}")]);
+        let run = hotfoot(folder.path(), &["run", name, "--duration", "0.05", "--quiet"]);
+        assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    }
+    let again = refusal(&hotfoot(folder.path(), &["new"]));
+    assert_says(&again, &["first-look is there already; name another folder"]);
+    let nowhere = refusal(&hotfoot(folder.path(), &["new", "x", "--stock", "nowhere"]));
+    assert_says(&nowhere, &["there is no library of rolling stock", "--stock"]);
+    assert!(!folder.path().join("x").exists());
+}
+
+/// With the paper's model terminal and report say what not to read from its numbers.
+#[test]
+fn the_papers_model_is_named_as_such() {
+    let caution = "Do not read from them whether, when or where the foot warms";
+    let scenario = SmallScenario::new(0.05);
+    assert!(scenario.text.contains("model = \"paper\""));
+    let output = scenario.run(&[]);
+    assert_says(&String::from_utf8_lossy(&output.stdout), &["the paper's model", caution]);
+    let report = std::fs::read_to_string(scenario.results().join("report.html")).unwrap();
+    assert_says(&report, &[caution]);
+    let output = scenario.run(&["--set", "heat.model=energy"]);
+    assert!(output.status.success() && !String::from_utf8_lossy(&output.stdout).contains(caution));
+}

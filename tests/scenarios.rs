@@ -1,7 +1,7 @@
 //! Every shipped scenario runs: its first half second, so that the whole of it fits into the test run.
-//! The acceptance runs, which are short, run to their end.
+//! The acceptance runs and the first look, which are short, run to their end.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use hotfoot_tests::{hotfoot, root};
 
@@ -23,18 +23,31 @@ fn benchmark_acceptance_runs_keep_their_limits() {
     let is_acceptance = |file: &PathBuf| file.to_str().unwrap().contains("scenarios/acceptance-");
     let scenarios: Vec<PathBuf> = shipped().into_iter().filter(is_acceptance).collect();
     assert!(scenarios.len() >= 7, "only {} acceptance runs were found", scenarios.len());
-    for scenario in scenarios {
-        let folder = tempfile::tempdir().unwrap();
-        let results = folder.path().to_str().unwrap();
-        let run = ["run", scenario.to_str().unwrap(), "--quiet", "--results", results];
-        let output = hotfoot(root(), &run);
-        let text = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{}: {text}", scenario.display());
-        let expected = scenario.with_file_name("expected.toml");
-        let output = hotfoot(root(), &["expect", results, expected.to_str().unwrap()]);
-        let text = String::from_utf8_lossy(&output.stdout);
-        assert!(output.status.success(), "{}: {text}", scenario.display());
-    }
+    scenarios.iter().for_each(|scenario| run_and_judge(scenario));
+}
+
+/// The first look answers as its README says, and has nothing to warn of.
+#[test]
+fn golden_the_first_look_gives_its_answer() {
+    let said = run_and_judge(&root().join("scenarios/first-look/scenario.toml"));
+    assert!(said.contains("left rail: Foot: first reaches 15 mK"), "{said}");
+    assert!(!said.contains("warning") && !said.contains("note:"), "{said}");
+}
+
+/// Runs a scenario to its end and compares it with the file `expected.toml` beside it; gives what was said.
+fn run_and_judge(scenario: &Path) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let results = folder.path().to_str().unwrap();
+    let run = ["run", scenario.to_str().unwrap(), "--quiet", "--results", results];
+    let output = hotfoot(root(), &run);
+    let said = [output.stderr, output.stdout].concat();
+    let said = String::from_utf8_lossy(&said).into_owned();
+    assert!(output.status.success(), "{}: {said}", scenario.display());
+    let expected = scenario.with_file_name("expected.toml");
+    let output = hotfoot(root(), &["expect", results, expected.to_str().unwrap()]);
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{}: {text}", scenario.display());
+    said
 }
 
 fn start_and_run(scenarios: &[PathBuf]) {

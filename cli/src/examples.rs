@@ -3,11 +3,19 @@
 /// Of `hotfoot run`.
 pub const RUN: &str = "\
 Examples:
+  hotfoot run scenarios/first-look --set train.speed_m_per_s=20
   hotfoot run scenarios/curve-increasing-speed --duration 20
   hotfoot run scenarios/train-alone --results results/first --quiet
   hotfoot run train.ssp --step 0.001 --threads 4
   hotfoot run scenarios/wet-rail --checkpoint 20 --results results/long
   hotfoot run --resume results/long";
+
+/// Of `hotfoot new`.
+pub const NEW: &str = "\
+Examples:
+  hotfoot new
+  hotfoot new studies/my-curve
+  hotfoot new studies/rain --from wet-rail --stock stock";
 
 /// Of `hotfoot export-ssp`.
 pub const EXPORT_SSP: &str = "\

@@ -3,13 +3,14 @@
 //! | file | commands |
 //! |---|---|
 //! | `run.rs` | `run` |
+//! | `new.rs` | `new` |
 //! | `supervise/` | a command in a child process, which an FMU may crash |
 //! | `export_ssp.rs`, `pack.rs`, `check.rs` | the commands of the same names |
 //! | `wiring.rs` | `wiring` |
 //! | `results.rs` | `report`, `expect` |
 //! | `interface.rs` | `interface`, `schema` |
 //! | `examples.rs` | the examples in their help |
-//! | `output.rs`, `message.rs` | what is printed, and the message of an error |
+//! | `output.rs` | what is printed, and the message of an error |
 //!
 //! `modes`, `contact`, `creep` and `critical-speed` stand in the library `tools` (`crates/tools`).
 
@@ -17,7 +18,7 @@ mod check;
 mod examples;
 mod export_ssp;
 mod interface;
-mod message;
+mod new;
 mod output;
 mod pack;
 mod results;
@@ -32,8 +33,7 @@ use anyhow::{Context, Result};
 use clap::{Parser, Subcommand};
 use tools::{ToolError, contact, creep, critical_speed, modes};
 
-use crate::message::message;
-use crate::output::{is_closed_pipe, tell};
+use crate::output::{is_closed_pipe, message, tell};
 use crate::supervise::child;
 
 /// Full-train co-simulation of in-train forces, wheel-rail contact and rail-foot heat.
@@ -49,6 +49,9 @@ enum Command {
     /// Run a scenario and write its results and report, or run an SSP package
     #[command(after_help = examples::RUN)]
     Run(run::RunArguments),
+    /// Make the folder of a new scenario from a template with comments
+    #[command(after_help = examples::NEW)]
+    New(new::NewArguments),
     /// Write a scenario's train as an SSP package for other tools
     #[command(after_help = examples::EXPORT_SSP)]
     ExportSsp(export_ssp::ExportArguments),
@@ -145,6 +148,7 @@ fn carry_out(command: Command) -> Result<u8> {
         Command::Wiring(arguments) => return wiring::print(&arguments),
         Command::Check(arguments) => return check::check(&arguments),
         Command::Pack(arguments) => return pack::pack(&arguments),
+        Command::New(arguments) => new::new(&arguments),
         Command::Report { results } => results::report(&results),
         Command::Expect { results, expected } => results::expect(&results, &expected),
         Command::Interface { fmu, xml } => interface::interface(&fmu, xml),

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow};
 use clap::{Args, ValueEnum};
+use files::Setting;
 use hotfoot::run::folder::claim::Claim;
 use hotfoot::run::folder::complete::complete;
 use hotfoot::run::{self, Ended, Options};
@@ -26,8 +27,8 @@ pub struct RunArguments {
         long,
         value_name = "RESULTS",
         conflicts_with_all = [
-            "scenario", "results", "overwrite", "fmus", "duration", "step", "interval", "checkpoint", "tolerance",
-            "checks", "same_thread", "isolate",
+            "scenario", "results", "overwrite", "fmus", "settings", "duration", "step", "interval", "checkpoint",
+            "tolerance", "checks", "same_thread", "isolate",
         ]
     )]
     resume: Option<PathBuf>,
@@ -43,6 +44,10 @@ pub struct RunArguments {
     /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
     #[arg(long)]
     fmus: Option<PathBuf>,
+    /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
+    /// than once
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<Setting>,
     /// Simulated time in place of the scenario's or package's, s
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     duration: Option<f64>,
@@ -182,6 +187,7 @@ fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
     let options = Options {
         threads: arguments.threads,
         fmus: arguments.fmus.clone().unwrap_or_else(default_fmus),
+        settings: arguments.settings.clone(),
         times: Times {
             duration: arguments.duration,
             step: arguments.step,

@@ -86,15 +86,15 @@ def test_the_train_runs_alone_and_pulls():
     )
 
 
-def test_the_rail_runs_alone_and_is_heated_by_a_creeping_wheel():
+def test_the_rail_runs_alone_and_is_heated_by_a_wheel_with_friction():
     wheel = "vehicle[1].wheelset[1]"
     time = np.linspace(0.0, 2.0, 2001)
-    names = ["position", "speed", "creepage.longitudinal", "force.normal", "contact.a", "contact.b"]
+    names = ["position", "speed", "friction_power", "force.normal", "contact.a", "contact.b"]
     dtype = [("time", float)] + [(f"{wheel}.{name}", float) for name in names]
     signals = np.zeros(time.size, dtype=dtype)
     signals["time"] = time
     signals[f"{wheel}.position"] = 10.0 + 16.67 * time
-    for name, value in zip(names[1:], [16.67, 0.005, 109.5e3, 7e-3, 6e-3]):
+    for name, value in zip(names[1:], [16.67, 20e3, 109.5e3, 7e-3, 6e-3]):
         signals[f"{wheel}.{name}"] = value
     result = simulate_fmu(
         str(FMUS["railheat"]),

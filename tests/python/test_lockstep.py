@@ -79,4 +79,5 @@ def test_the_papers_curve_with_130_vehicles_for_10_s_equals_the_same_run_stepped
     types = 2 * ["locomotive-coco-134t"] + 128 * ["wagon-coco-134t-unpowered"]
     wheels = [(1, "left"), (6, "right")]
     rail = {"track.begin": -2650.0, "track.length": 6800.0}
+    rail |= {"solar.irradiance": 1366.0, "solar.filter": 0.5}
     compare(results, types, by_fmpy(results, types, 10.0, 0.1, wheels, rail), wheels)

@@ -18,6 +18,7 @@
 //! | `key.rs` | where the value of a key stands, and which key stands there |
 //! | `parse.rs` | what a document says, as a structure of the program |
 //! | `structure.rs`, `syntax.rs` | the messages of serde and of TOML in plain words |
+//! | `setting.rs` | a [`Setting`]: a value of the command line in place of the file's |
 //! | `table.rs` | a [`Table`]: rows of comma-separated values |
 //! | `nearest.rs` | the name that was meant |
 
@@ -27,6 +28,7 @@ mod key;
 mod mistake;
 mod nearest;
 mod parse;
+mod setting;
 mod structure;
 mod syntax;
 mod table;
@@ -35,4 +37,5 @@ pub use check::Check;
 pub use document::{Document, exists};
 pub use mistake::{Mark, Mistake};
 pub use nearest::{did_you_mean, nearest};
+pub use setting::Setting;
 pub use table::Table;

@@ -64,6 +64,19 @@ pub struct RailFacts {
     pub last_train_end_s: f64,
 }
 
+/// What is said of the numbers of the paper's heat model.
+const PAPERS_MODEL: &str = "The rail is heated by the paper's model (model = \"paper\"), so that its numbers can be compared with the \
+    paper's figures. They are no temperatures of a rail: the heat that a wheel puts in is proportional to the size of the \
+    cells, which the paper does not state, and heat is not conserved. Do not read from them whether, when or where the foot \
+    warms; model = \"energy\" answers that.";
+
+impl RailFacts {
+    /// What not to read from the results, in sentences, where the heat model is the paper's.
+    pub fn caution(&self) -> Option<&'static str> {
+        (self.model == "paper").then_some(PAPERS_MODEL)
+    }
+}
+
 /// A line of the energy audit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EnergyLine {

@@ -185,7 +185,10 @@ pub(super) fn foot(rails: &[RailData], facts: &RailFacts) -> Result<Option<Figur
     Ok(Some(Figure {
         title: "Rise of the foot".into(),
         caption: "Rise over rail that no wheel has touched, at the same time. The threshold of detection is drawn \
-                  where it is less than twenty times the highest rise."
+                  where it is less than twenty times the highest rise. Where nothing but the train acts, what rises \
+                  under the last wheel is the hysteresis of bending: friction's heat comes minutes later. Not in it is \
+                  the reversible change by bending, which comes and goes with each axle and is several times the \
+                  threshold (probe[1].foot.thermoelastic in series/rail)."
             .into(),
         panels: vec![
             panel(

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::data::{MainFigure, RailData, ReportData};
 use super::error::ReportError;
-use super::facts::RunFacts;
+use super::facts::{RailFacts, RunFacts};
 use super::figures::{self, Figure};
 use super::heat_map::{HeatMap, HeatMaps, warm_elements};
 use super::line_chart::{LEFT, MARGIN, WIDTH};
@@ -28,6 +28,7 @@ const TEMPLATES: [(&str, &str); 4] = [
 #[derive(Serialize)]
 struct Page<'a> {
     facts: &'a RunFacts,
+    caution: Option<&'static str>,
     main_figures: &'a [MainFigure],
     energy: Vec<(&'a str, String)>,
     figures: Vec<Figure>,
@@ -85,6 +86,7 @@ pub fn render(data: &ReportData) -> Result<String, ReportError> {
     let energy = data.energy.iter();
     let mut page = Page {
         facts: &data.facts,
+        caution: data.facts.rails.as_ref().and_then(RailFacts::caution),
         main_figures: &data.main_figures,
         energy: energy.map(|line| (line.name.as_str(), with_unit(line.joules, "J"))).collect(),
         figures: figures::over_time(data)?,

@@ -113,6 +113,8 @@ fn what_a_run_does_not_tell_is_not_made_up() {
     let (data, page) = report(&RunFacts { rails: Some(paper), ..facts() });
     assert!(data.rails.iter().all(|rail| rail.foot.is_none() && rail.heat.is_empty()));
     assert!(!page.contains("Rise of the foot") && page.contains("Temperature of the rail"));
+    assert!(page.contains("Do not read from them whether, when or where the foot warms"));
+    assert!(!report(&facts()).1.contains("paper&#x27;s model"), "only where it was the model");
     let no_cooling = RailFacts { last_train_end_s: 1e9, ..of_rails };
     let (_, page) = report(&RunFacts { rails: Some(no_cooling), ..facts() });
     assert!(page.contains("not simulated") && page.contains("heat.cool_down_minutes"));

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use files::Mistake;
+use files::{Mistake, Setting};
 
 use crate::files::file_error::FileError;
 use crate::report::ReportError;
@@ -39,6 +39,12 @@ pub enum RunError {
         option: &'static str,
         /// The time.
         value: f64,
+    },
+    /// A package has no keys that could be set.
+    #[error("{setting}: sets a key of a scenario; a package or an FMU has none")]
+    Setting {
+        /// The first one.
+        setting: Setting,
     },
     /// The system gives no threads.
     #[error(transparent)]
@@ -83,6 +89,14 @@ impl RunError {
     pub(crate) fn step(failed: FailedStep, results: &Path) -> Self {
         let FailedStep { time, source } = failed;
         Self::Step { time, source: source.into(), results: results.display().to_string() }
+    }
+
+    /// Refuses settings of what is no scenario.
+    pub(crate) fn check_no_settings(settings: &[Setting]) -> Result<(), Self> {
+        match settings.first() {
+            None => Ok(()),
+            Some(setting) => Err(Self::Setting { setting: setting.clone() }),
+        }
     }
 
     /// Refuses a time that is not greater than zero.

@@ -30,7 +30,7 @@ pub struct Exported {
 /// # Errors
 /// When the scenario is wrong, a unit fails, or the package cannot be written.
 pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, RunError> {
-    let (scenario, file, _) = scenario::load(path)?;
+    let (scenario, file, _) = scenario::load(path, &[])?;
     let folder = tempfile::tempdir().map_err(FileError::at(target))?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().join("results") };
     let train = placed(&scenario, &file, &folders)?;

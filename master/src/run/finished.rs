@@ -18,6 +18,8 @@ pub struct Finished {
     pub(crate) stages: Vec<(String, usize)>,
     pub(crate) threads: usize,
     pub(crate) figures: Vec<MainFigure>,
+    /// What not to read from the figures.
+    pub(crate) caution: Option<&'static str>,
     pub(crate) warnings: Vec<String>,
     /// The units, which are freed with this.
     pub(crate) system: System,
@@ -81,6 +83,9 @@ impl fmt::Display for Finished {
             per_step(times.exchange),
             per_step(times.recording)
         )?;
+        if let Some(caution) = self.caution {
+            writeln!(f, "\n{caution}\n")?;
+        }
         let width =
             self.figures.iter().map(|figure| figure.name.chars().count()).max().unwrap_or(0);
         for MainFigure { name, text, location, .. } in &self.figures {

@@ -98,6 +98,7 @@ fn run_or_resume(
 ) -> Result<Finished, RunError> {
     let Subject { path, written } = subject;
     if source::is_system(path) {
+        RunError::check_no_settings(&options.settings)?;
         let workplace = Workplace::open(options.threads)?;
         // With one thread all that an FMU sees, from loading to freeing, happens on it.
         return workplace.pool.install(|| {
@@ -106,7 +107,7 @@ fn run_or_resume(
             in_workplace(setup, &workplace, results, options.quiet, beginning)
         });
     }
-    let (mut scenario, file, text) = crate::scenario::load(path)?;
+    let (mut scenario, file, text) = crate::scenario::load(path, &options.settings)?;
     for (option, value) in options.times.stated() {
         RunError::check_time(option, value)?;
     }
@@ -160,6 +161,7 @@ fn in_workplace(
         done,
         stages,
         threads: workplace.threads,
+        caution: manifest.run.and_then(|run| run.rails?.caution()),
         warnings: manifest.warnings,
         system,
     })

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use files::Setting;
+
 use crate::scenario::Times;
 use crate::system::checks::Checks;
 use crate::system::structure::Home;
@@ -13,6 +15,8 @@ pub struct Options {
     pub threads: Option<usize>,
     /// Folder of Hotfoot's own FMUs.
     pub fmus: PathBuf,
+    /// Values of the scenario's keys instead of those in its file.
+    pub settings: Vec<Setting>,
     /// Times instead of the scenario's or the package's.
     pub times: Times,
     /// Relative tolerance that the FMUs are told instead of their own.

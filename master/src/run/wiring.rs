@@ -19,7 +19,7 @@ pub fn wiring(path: &Path, fmus: &Path) -> Result<Structure, RunError> {
     if source::is_system(path) {
         return Ok(source::read(path, folder.path())?.1);
     }
-    let (scenario, file, _) = scenario::load(path)?;
+    let (scenario, file, _) = scenario::load(path, &[])?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().to_owned() };
     let train = of_scenario(&scenario, &folders).map_err(RunError::prepare(&file))?;
     Ok(train.structure)

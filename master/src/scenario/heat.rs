@@ -12,7 +12,7 @@ use super::value::Value;
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct Heat {
-    /// Heat model of the rail-heat FMU: `paper`, or `energy`, which conserves heat.
+    /// Heat model of the rail-heat FMU: `energy`, which conserves heat, or `paper`.
     #[serde(default = "default_heat_model")]
     #[garde(length(min = 1))]
     pub model: String,
@@ -145,7 +145,7 @@ pub struct Probe {
 }
 
 fn default_heat_model() -> String {
-    "paper".to_owned()
+    "energy".to_owned()
 }
 
 fn default_cool_down_step() -> f64 {

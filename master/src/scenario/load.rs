@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use files::{Check, Document, Mistake};
+use files::{Check, Document, Mistake, Setting};
 
 use super::check::check;
 use super::file::Scenario;
@@ -15,17 +15,22 @@ pub fn file_of(path: &Path) -> PathBuf {
 
 /// Reads and checks the scenario at `path`: the file, or the folder with `scenario.toml`.
 ///
-/// The paths in it become absolute. Gives the scenario, its file and its text.
+/// The `settings` of the command line go before what stands in the file. The paths become absolute. Gives the
+/// scenario, its file and its text.
 ///
 /// # Errors
-/// When the file cannot be read or something in it is wrong.
-pub fn load(path: &Path) -> Result<(Scenario, PathBuf, String), Mistake> {
+/// When the file cannot be read, or something in it or in the settings is wrong.
+pub fn load(path: &Path, settings: &[Setting]) -> Result<(Scenario, PathBuf, String), Mistake> {
     let file = file_of(path);
     if path.is_dir() && !file.exists() {
         return Err(no_scenario(path));
     }
-    let document = Document::read(&file)?;
+    let mut document = Document::read(&file)?;
     let mut scenario = read(&document)?;
+    if !settings.is_empty() {
+        document = document.with(settings)?;
+        scenario = read(&document)?;
+    }
     let folder = std::path::absolute(&file)
         .ok()
         .and_then(|file| file.parent().map(Path::to_owned))
@@ -218,10 +223,10 @@ file = "driver.toml"
         let file = folder.path().join("scenario.toml");
         let text = GOOD.replace("[train]", "stock = \"stock\"\n[train]");
         std::fs::write(&file, &text).unwrap();
-        let (scenario, found, _) = load(folder.path()).unwrap();
+        let (scenario, found, _) = load(folder.path(), &[]).unwrap();
         assert_eq!((scenario.stock, found), (stock, file.clone()));
         std::fs::write(&file, text.replace("track.toml", "trak.toml")).unwrap();
-        let message = load(folder.path()).unwrap_err().to_string();
+        let message = load(folder.path(), &[]).unwrap_err().to_string();
         assert!(message.contains("scenario.toml:11:8: track.file = \"trak.toml\": "), "{message}");
         assert!(message.contains("there is no such file; did you mean `track.toml`?"), "{message}");
     }

@@ -32,13 +32,15 @@ fmu::variables! {
     }
 
     /// The weather, in the bounds that a weather file has too.
+    ///
+    /// The start values are a calm night under clouds as warm as the air, in which nothing but the wheels
+    /// heats or cools a rail that starts at the temperature of the air.
     #[derive(Copy)]
     pub(crate) struct WeatherInputs: input {
         /// Temperature of the air; in model paper of the sky too
         ambient: "ambient.temperature", KELVIN = 298.15, 183.15..=338.15;
-        /// Irradiance of a surface that faces the sun, before the filter; the start value is the
-        /// solar constant of the paper
-        irradiance: "solar.irradiance", WATT_PER_SQUARE_METRE = 1366.0, 0.0..=1500.0;
+        /// Irradiance of a surface that faces the sun, before the filter
+        irradiance: "solar.irradiance", WATT_PER_SQUARE_METRE = 0.0, 0.0..=1500.0;
         /// Diffuse irradiance of a horizontal surface; ignored by model paper
         diffuse: "solar.diffuse", WATT_PER_SQUARE_METRE = 0.0, 0.0..=1000.0;
         /// Wind speed; ignored by model paper

@@ -266,7 +266,7 @@ fn levels(shape: &Shape) -> Vec<(String, String)> {
         let millimetres = depth * 1000.0;
         (format!("depth[{}]", k + 1), format!("{millimetres} mm below the running surface"))
     });
-    std::iter::once(("surface".to_owned(), "at the surface".to_owned()))
+    std::iter::once(("surface".to_owned(), "on the crown, within 15 mm of its middle".to_owned()))
         .chain(depths)
         .chain([("foot".to_owned(), "at the foot".to_owned())])
         .collect()

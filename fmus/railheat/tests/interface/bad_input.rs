@@ -43,14 +43,14 @@ fn wrong_sites_and_days_are_named() {
 }
 
 #[test]
-fn wrong_parameters_are_named() {
+fn wrong_parameters_of_the_papers_model_are_named() {
     for (name, value, wanted) in [
         ("conduction.interval", 5.0, "at most"),
         ("cell.size", 0.0033, "rail.height = 0.17 m and cell.size = 0.0033 m"),
         ("track.length", 1e9, "cells, more than"),
         ("track.length", 30.0, "chainage_m = 30.05: must lie on the modelled track"),
     ] {
-        let mut bench = Bench::new();
+        let mut bench = Bench::of_paper();
         bench.set(name, value);
         let sentence = bench.start().unwrap_err();
         assert!(sentence.contains(wanted), "{name}: {sentence}");

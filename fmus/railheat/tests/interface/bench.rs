@@ -30,6 +30,15 @@ impl Bench {
         bench
     }
 
+    /// With the paper's model, under its sun.
+    pub fn of_paper() -> Self {
+        let mut bench = Self::new();
+        bench.set_texts(&[("model", "paper")]);
+        bench.set("solar.irradiance", 1366.0);
+        bench.set("solar.filter", 0.5);
+        bench
+    }
+
     pub fn reference(&self, name: &str) -> u32 {
         let variables = self.instance.declaration().variables();
         let found = variables.iter().find(|variable| variable.name == name);

@@ -8,7 +8,7 @@ use crate::bench::Bench;
 
 #[test]
 fn property_the_field_file_holds_the_run() {
-    let mut bench = Bench::new();
+    let mut bench = Bench::of_paper();
     let path = bench.folder.path().join("rail.zarr");
     bench.set_texts(&[("field_file", path.to_str().unwrap())]);
     bench.set("field_interval", 0.2);
@@ -30,7 +30,7 @@ fn property_the_field_file_holds_the_run() {
 #[test]
 fn a_field_that_cannot_be_written_stops_the_run_or_not() {
     for (choice, goes_on) in [("stop", false), ("go_on", true)] {
-        let mut bench = Bench::new();
+        let mut bench = Bench::of_paper();
         let path = bench.folder.path().join("rail.zarr");
         bench.set_texts(&[("field_file", path.to_str().unwrap()), ("field_failure", choice)]);
         bench.set("field_interval", 0.02);
@@ -53,7 +53,7 @@ fn a_field_that_cannot_be_written_stops_the_run_or_not() {
 #[test]
 fn a_field_that_cannot_begin_stops_the_run_or_not() {
     for (choice, goes_on) in [("stop", false), ("go_on", true)] {
-        let mut bench = Bench::new();
+        let mut bench = Bench::of_paper();
         bench.instance.set_debug_logging(true, &[]).unwrap();
         bench.set_texts(&[("field_file", "/proc/no/rail.zarr"), ("field_failure", choice)]);
         let result = bench.start();
@@ -72,7 +72,7 @@ fn a_field_that_cannot_begin_stops_the_run_or_not() {
 /// The state goes on bit for bit; the file stays as it is until the run is past its last snapshot.
 #[test]
 fn property_a_restored_run_gives_the_same_and_appends_later() {
-    let mut bench = Bench::new();
+    let mut bench = Bench::of_paper();
     let path = bench.folder.path().join("rail.zarr");
     bench.set_texts(&[("field_file", path.to_str().unwrap())]);
     bench.set("field_interval", 0.2);

@@ -58,12 +58,12 @@ fn property_the_signals_have_their_names() {
     let positions = variables.iter().filter(|variable| variable.name.ends_with("].position"));
     assert_eq!(positions.count(), 3, "two wheelsets and one");
     let model = variables.iter().find(|variable| variable.name == "model").unwrap();
-    assert!(matches!(&model.kind, Kind::Text { start, .. } if start == "paper"), "{model:?}");
+    assert!(matches!(&model.kind, Kind::Text { start, .. } if start == "energy"), "{model:?}");
 }
 
 #[test]
 fn property_a_passing_wheel_warms_the_probe() {
-    let mut bench = Bench::new();
+    let mut bench = Bench::of_paper();
     bench.start().unwrap();
     assert_eq!(bench.get("probe[1].surface.rise"), 0.0);
     bench.steps(0, 50);

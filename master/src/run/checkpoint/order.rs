@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use files::Setting;
 use serde::{Deserialize, Serialize};
 
 use super::error::CheckpointError;
@@ -37,8 +38,9 @@ pub struct Order {
     /// Whether FMUs have a thread of their own.
     same_thread: bool,
     /// Components that have processes of their own.
-    #[serde(default)]
     isolate: Vec<String>,
+    /// Values of the scenario's keys of the command line.
+    settings: Vec<Setting>,
     /// Times of the command line, and how often a checkpoint is written.
     pub times: Times,
     input: Vec<Input>,
@@ -84,7 +86,7 @@ impl Order {
         results: &Path,
         files: Vec<PathBuf>,
     ) -> Result<Self, FileError> {
-        let Options { fmus, times, tolerance, checks, same_thread, isolate, .. } = options;
+        let Options { fmus, settings, times, tolerance, checks, same_thread, isolate, .. } = options;
         let mut order = Self {
             hotfoot: PROGRAM.to_owned(),
             results: results.to_owned(),
@@ -94,6 +96,7 @@ impl Order {
             checks: *checks,
             same_thread: *same_thread,
             isolate: isolate.clone(),
+            settings: settings.clone(),
             times: *times,
             input: vec![],
         };
@@ -109,6 +112,7 @@ impl Order {
         Options {
             threads: others.threads,
             fmus: self.fmus.clone(),
+            settings: self.settings.clone(),
             times: self.times,
             tolerance: self.tolerance,
             checks: self.checks,

@@ -5,6 +5,7 @@ use fmu::ModelError;
 use crate::contact::{Friction, Material};
 use crate::line::Line;
 use crate::paper::RunningSurface;
+use crate::weather::Exchange;
 
 fmu::choices! {
     /// Which heat model computes the rail.
@@ -77,11 +78,11 @@ fmu::variables! {
         /// Share of the sunlight that the running surface absorbs
         absorptivity: "solar.absorptivity", ONE = RunningSurface::PAPER.absorptivity, 0.0..=1.0;
         /// Share of solar.irradiance that arrives at the rail; 1 for an irradiance measured at the ground
-        filter: "solar.filter", ONE = RunningSurface::PAPER.filter, 0.0..=1.0;
+        filter: "solar.filter", ONE = Exchange::TYPICAL.filter, 0.0..=1.0;
         /// Chainage at which the modelled track begins
         begin: "track.begin", METRE = 0.0;
-        /// Heat model: "paper" (Bosomworth et al. 2018) or "energy" (heat that is conserved, in a real section)
-        model: "model", choice(ModelChoice) = ModelChoice::Paper;
+        /// Heat model: "energy" (heat that is conserved, in a real section) or "paper" (Bosomworth et al. 2018)
+        model: "model", choice(ModelChoice) = ModelChoice::Energy;
         /// Start at the temperature at which sun, convection and radiation balance
         equilibrium: "initial.equilibrium", bool = true;
         /// Folder of the Zarr store for the field of the temperature rise; empty: none is written
