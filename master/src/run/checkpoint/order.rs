@@ -86,7 +86,8 @@ impl Order {
         results: &Path,
         files: Vec<PathBuf>,
     ) -> Result<Self, FileError> {
-        let Options { fmus, settings, times, tolerance, checks, same_thread, isolate, .. } = options;
+        let Options { fmus, settings, times, tolerance, checks, same_thread, isolate, .. } =
+            options;
         let mut order = Self {
             hotfoot: PROGRAM.to_owned(),
             results: results.to_owned(),
