@@ -7,11 +7,11 @@ use std::process::{Output, Stdio};
 use std::time::Instant;
 
 use hotfoot_tests::hostile::{Claims, hostile_vehicle};
-use hotfoot_tests::killed::{contents, interrupt_at, kill_at};
+use hotfoot_tests::killed::{contents, interrupt_at, kill_at, newest};
 use hotfoot_tests::{SmallScenario, command, hotfoot};
 
 use crate::ends::kills::kills;
-use crate::ends::wait_until;
+use crate::ends::{is_running, wait_until};
 
 /// Weather of a file, which lies in the FMU's resources while the run goes on.
 const WEATHER: &str =
@@ -112,17 +112,19 @@ fn property_a_run_killed_at_any_moment_goes_on_byte_for_byte() {
     let begin = Instant::now();
     unbroken(folder, "scenario.toml");
     let (mut count, mut resumed) = (0, 0);
-    for (kill, (who, moment)) in kills(begin.elapsed()).enumerate() {
+    // The moments spread over some two checkpoints behind one of them.
+    for (kill, (who, moment)) in kills(begin.elapsed() / 20).enumerate() {
         count += 1;
         let results = format!("killed-{kill}");
         let mut run = command(folder, &ordered("scenario.toml", &results, "0.4"));
         let mut run = run.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
-        let order = folder.join(&results).join("checkpoint/run.toml");
-        let series = folder.join(&results).join("series");
-        // Some are killed before there is a record.
-        let starts = kill % 3 == 0;
-        wait_until("the start", || if starts { order.exists() } else { series.exists() });
+        let checkpoints = folder.join(&results).join("checkpoint");
+        let (order, behind) = (checkpoints.join("run.toml"), kill as u64 * 7 % 31);
+        wait_until("a checkpoint", || {
+            newest(&checkpoints) >= Some(behind) || !is_running(run.id())
+        });
         std::thread::sleep(moment);
+        let series = folder.join(&results).join("series");
         let (has_begun, _) = who.kill(&mut run, || series.exists());
         if order.exists() {
             resume(folder, &results, ["1", "2", "3"][kill % 3]);

@@ -42,8 +42,8 @@ fn run_until(folder: &Path, arguments: &[&str], results: &str, number: u64) -> C
     run
 }
 
-/// Number of the newest checkpoint, or 0 where there is only the order to run.
-fn newest(checkpoints: &Path) -> Option<u64> {
+/// Number of the newest checkpoint in a folder, or 0 where there is only the order to run.
+pub fn newest(checkpoints: &Path) -> Option<u64> {
     let names = std::fs::read_dir(checkpoints).ok()?.flatten().map(|entry| entry.file_name());
     let number = |name: std::ffi::OsString| match name.to_str()? {
         "run.toml" => Some(0),
