@@ -23,7 +23,9 @@ fn benchmark_acceptance_runs_keep_their_limits() {
     let is_acceptance = |file: &PathBuf| file.to_str().unwrap().contains("scenarios/acceptance-");
     let scenarios: Vec<PathBuf> = shipped().into_iter().filter(is_acceptance).collect();
     assert!(scenarios.len() >= 7, "only {} acceptance runs were found", scenarios.len());
-    scenarios.iter().for_each(|scenario| run_and_judge(scenario));
+    for scenario in &scenarios {
+        run_and_judge(scenario);
+    }
 }
 
 /// The first look answers as its README says, and has nothing to warn of.
