@@ -27,7 +27,7 @@ pub(super) struct RailSeries<'r> {
     side: &'r str,
 }
 
-/// Reads what the report shows of each rail; the fields are left to the caller.
+/// Reads what the report says of each rail.
 pub(super) fn of_run(folder: &Path, facts: &RailFacts) -> Result<Vec<RailData>, ReportError> {
     let table = SeriesReader::open(&folder.join("series"), RAIL_TABLE)?;
     let rail = |side: &String| {
@@ -44,7 +44,7 @@ pub(super) fn of_run(folder: &Path, facts: &RailFacts) -> Result<Vec<RailData>, 
             energy: series.energies()?,
             foot,
             heat: series.heat(facts)?,
-            field: None,
+            surface: series.surface()?,
         })
     };
     facts.sides.iter().map(rail).collect()
@@ -98,6 +98,15 @@ impl RailSeries<'_> {
             });
         }
         Ok(figures)
+    }
+
+    /// Highest rise of the surface along the track at each record.
+    fn surface(&self) -> Result<Vec<(f64, f64)>, RecordingError> {
+        let column = "highest.surface.rise";
+        if !self.has(column) {
+            return Ok(vec![]);
+        }
+        Ok(self.read("time")?.into_iter().zip(self.read(column)?).collect())
     }
 
     /// What cameras see of the foot, if the model tells it: the paper's has no such answer.
