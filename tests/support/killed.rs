@@ -72,7 +72,7 @@ fn kill(run: &mut Child) {
 }
 
 /// All files of a folder of results by their names, with their bytes; of manifest and report without wall times,
-/// threads and the folder itself.
+/// threads, the time and the command of the run, and the folder itself.
 ///
 /// # Panics
 /// When it cannot be read.
@@ -97,9 +97,11 @@ pub fn contents(results: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 
 fn without_wall_times(text: &[u8], results: &Path) -> Vec<u8> {
     let mut text = String::from_utf8_lossy(text).replace(&results.display().to_string(), "RESULTS");
-    if let Some(begin) = text.find("<h2>Wall time</h2>") {
-        let end = text[begin..].find("</section>").expect("a section ends");
-        text.replace_range(begin..begin + end, "");
+    for section in ["<h2>Wall time</h2>", "<h2>What was run</h2>"] {
+        if let Some(begin) = text.find(section) {
+            let end = text[begin..].find("</section>").expect("a section ends");
+            text.replace_range(begin..begin + end, "");
+        }
     }
     let mut lines: Vec<&str> = vec![];
     let mut of_wall_time = false;
@@ -109,7 +111,15 @@ fn without_wall_times(text: &[u8], results: &Path) -> Vec<u8> {
             "name = \"Wall time\"" => true,
             _ => of_wall_time && !line.starts_with('['),
         };
-        let beginnings = ["threads = ", "wall_time_s = ", "recording_s = ", "seconds = "];
+        let beginnings = [
+            "threads = ",
+            "wall_time_s = ",
+            "slowest_",
+            "recording_s = ",
+            "seconds = ",
+            "begun = ",
+            "command = ",
+        ];
         let wall = line.contains("Wall time") || line.contains(" threads");
         if !(of_wall_time || wall || beginnings.iter().any(|start| line.starts_with(start))) {
             lines.push(line);

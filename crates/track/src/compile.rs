@@ -206,11 +206,15 @@ mod tests {
         assert_close(at(&track, 500.0).elevation, -0.8 - 1.2, 1e-14);
     }
 
+    /// The profile has both values of a step, and those of the outermost pieces.
     #[test]
-    fn curves_that_meet_count_as_one() {
-        assert_eq!(track(S_CURVE).curves(), [[0.0, 700.0]]);
-        let separate = "alignment = [{ length_m = 10, radius_m = 300 }, { length_m = 10 },
-                                  { length_m = 10, radius_m = 300 }, { length_m = 1 }]";
-        assert_eq!(track(separate).curves(), [[0.0, 10.0], [20.0, 30.0]]);
+    fn the_profile_has_the_ends_of_all_pieces() {
+        let steps = "alignment = [{ length_m = 10, radius_m = 200 }, { length_m = 10 }]";
+        let profile = track(steps).profile(100);
+        let curvatures: Vec<_> = profile.iter().map(|(s, at)| (*s, at.curvature)).collect();
+        let curved = [(0.0, 5e-3), (0.0, 5e-3), (10.0, 5e-3), (10.0, 0.0)];
+        assert_eq!(curvatures[..4], curved);
+        assert!(curvatures[4..].iter().all(|(_, curvature)| *curvature == 0.0), "{curvatures:?}");
+        assert!(track(S_CURVE).profile(4).len() < track(S_CURVE).profile(100).len());
     }
 }

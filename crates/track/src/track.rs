@@ -118,19 +118,19 @@ impl Track {
         Location { piece: &self.pieces[*index], distance: chainage - self.begins[*index] }
     }
 
-    /// Chainages at which curves begin and end, transitions included, m. A curve without end is
-    /// left out.
-    pub fn curves(&self) -> Vec<[f64; 2]> {
-        let curved = |piece: &Piece| piece.curvature.iter().any(|c| *c != 0.0);
-        let mut curves: Vec<[f64; 2]> = vec![];
-        for (ends, piece) in self.begins.windows(2).zip(&self.pieces) {
-            match curves.last_mut() {
-                _ if !curved(piece) => {}
-                Some(curve) if curve[1] == ends[0] => curve[1] = ends[1],
-                _ => curves.push([ends[0], ends[1]]),
-            }
+    /// The track by at most some `most` points, between which it is nearly linear: the ends of its pieces,
+    /// with the values on both sides of a step.
+    pub fn profile(&self, most: usize) -> Vec<(f64, TrackPoint)> {
+        let every = (2 * self.pieces.len()).div_ceil(most.max(2)).max(1);
+        let mut points = vec![(self.begins[0], self.before.at(0.0))];
+        for (begins, piece) in self.begins.windows(2).zip(&self.pieces).step_by(every) {
+            points.push((begins[0], piece.at(0.0)));
+            points.push((begins[1], piece.at(begins[1] - begins[0])));
         }
-        curves
+        if let (Some(&begin), Some(piece)) = (self.begins.last(), self.pieces.last()) {
+            points.push((begin, piece.at(0.0)));
+        }
+        points
     }
 }
 

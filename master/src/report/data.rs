@@ -1,13 +1,16 @@
-//! What the report shows: plain vectors, in SI units.
+//! What the report shows besides the linked view: plain vectors, in SI units.
 
 use super::facts::{EnergyLine, RunFacts};
+use super::instrument::Instrument;
+use super::provenance::Provenance;
 use super::quantity::{seconds, with_unit};
 
 /// All that a report shows.
-#[derive(Debug, Clone, Default)]
 pub struct ReportData {
     /// Facts of the run.
     pub facts: RunFacts,
+    /// What was run.
+    pub provenance: Provenance,
     /// The table of main figures.
     pub main_figures: Vec<MainFigure>,
     /// The energy audit.
@@ -16,21 +19,16 @@ pub struct ReportData {
     pub time: Vec<f64>,
     /// Speed of the leading vehicle at these times, m/s.
     pub speed: Vec<f64>,
-    /// Notch of the locomotives at these times; empty if the train does not give it.
-    pub notch: Vec<f64>,
-    /// The plotted vehicles, from the head of the train.
-    pub vehicles: Vec<VehicleSeries>,
+    /// Speed in the logger's file at these times, m/s; empty without one.
+    pub measured_speed: Vec<f64>,
+    /// Lowest force in any coupler between two records, N, tension positive.
+    pub lowest_coupler_force: Vec<f64>,
+    /// Highest force in any coupler between two records, N.
+    pub highest_coupler_force: Vec<f64>,
     /// The heated rails.
     pub rails: Vec<RailData>,
-}
-
-impl ReportData {
-    /// The highest rise in all fields, K.
-    pub fn highest_of_fields(&self) -> f64 {
-        let fields = self.rails.iter().filter_map(|rail| rail.field.as_ref());
-        let snapshots = fields.flat_map(|field| &field.snapshots);
-        snapshots.flat_map(|snapshot| &snapshot.rise).copied().fold(0.0, f32::max).into()
-    }
+    /// The linked view.
+    pub instrument: Instrument,
 }
 
 /// A line of a table of figures; programs find it under its key in the manifest.
@@ -102,8 +100,8 @@ pub struct RailData {
     pub foot: Option<Foot>,
     /// Heat per metre by source, at the probes and in the mean.
     pub heat: Vec<HeatAt>,
-    /// Its temperature field.
-    pub field: Option<RailField>,
+    /// Highest rise of the surface along the track at the records, K, with their times, s.
+    pub surface: Vec<(f64, f64)>,
 }
 
 /// Rise of a rail's foot over rail that no wheel has touched.
@@ -126,23 +124,6 @@ pub struct HeatAt {
     pub sources: Vec<f64>,
 }
 
-/// The series of a plotted vehicle at the times of the records.
-#[derive(Debug, Clone, Default)]
-pub struct VehicleSeries {
-    /// Number in the train, from 1.
-    pub number: usize,
-    /// Whether it has traction.
-    pub locomotive: bool,
-    /// Force in the rear coupler, N, tension positive.
-    pub coupler_force: Curve,
-    /// Longitudinal creep force of all its wheels, N, positive in traction.
-    pub creep_force: Curve,
-    /// Synchronisation force, N.
-    pub sync_force: Curve,
-    /// Position error, vehicle model minus train model, m.
-    pub position_error: Curve,
-}
-
 /// A recorded quantity: last values, and the lowest and highest between two records.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Curve {
@@ -158,34 +139,5 @@ impl Curve {
     /// A curve whose extremes are its values.
     pub fn plain(value: Vec<f64>) -> Self {
         Self { lowest: value.clone(), highest: value.clone(), value }
-    }
-}
-
-/// Temperature rise of a rail over chainage and depth, at chosen times.
-#[derive(Debug, Clone, Default)]
-pub struct RailField {
-    /// Chainage of the middle of each element, m, rising.
-    pub chainage: Vec<f64>,
-    /// Depth of the middle of each cell below the running surface, m, rising.
-    pub depth: Vec<f64>,
-    /// The field at the chosen times.
-    pub snapshots: Vec<Snapshot>,
-}
-
-/// The field at one time.
-#[derive(Debug, Clone, Default)]
-pub struct Snapshot {
-    /// Time, s.
-    pub time: f64,
-    /// Rise above the initial state, K: all depths of the first element, then of the second, …
-    pub rise: Vec<f32>,
-    /// Chainage of the middle of each vehicle at this time, m, from the head of the train.
-    pub vehicles: Vec<f64>,
-}
-
-impl RailField {
-    /// Rise on the surface of each element, K.
-    pub fn surface<'a>(&self, snapshot: &'a Snapshot) -> impl Iterator<Item = f32> + use<'a> {
-        snapshot.rise.iter().step_by(self.depth.len().max(1)).copied()
     }
 }

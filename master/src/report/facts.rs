@@ -31,9 +31,12 @@ pub struct RunFacts {
     /// Times whose temperature field the report shows, s.
     #[serde(default)]
     pub heat_maps_at_s: Vec<f64>,
-    /// Chainages at which curves begin and end, transitions included, m.
+    /// The track; empty if it cannot be read.
     #[serde(default)]
-    pub curves_m: Vec<[f64; 2]>,
+    pub track: TrackFacts,
+    /// Limits that the run is judged by.
+    #[serde(default)]
+    pub limits: LimitFacts,
     /// Step of the exchange between the models, s.
     pub step_s: f64,
     /// Number of threads.
@@ -84,4 +87,39 @@ pub struct EnergyLine {
     pub name: String,
     /// Energy, J.
     pub joules: f64,
+}
+
+/// The track by points, between which it is linear.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct TrackFacts {
+    /// Chainage of the points, m, rising.
+    pub chainage_m: Vec<f64>,
+    /// Curvature, 1/m, positive in a right-hand curve.
+    pub curvature_per_m: Vec<f64>,
+    /// Cant angle, rad, positive when the right rail is the lower.
+    pub cant_angle_rad: Vec<f64>,
+    /// Gradient, positive uphill.
+    pub gradient: Vec<f64>,
+}
+
+/// Limits of a run's figures, from the file of expected figures beside its scenario.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct LimitFacts {
+    /// Simulated time after which they hold, s.
+    pub simulated_s: f64,
+    /// The limits.
+    pub figures: Vec<Limit>,
+}
+
+/// A limit of a figure.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Limit {
+    /// Key of the figure.
+    pub key: String,
+    /// The figure is not below this, in its SI unit.
+    pub at_least: Option<f64>,
+    /// The figure is not above this, in its SI unit.
+    pub at_most: Option<f64>,
+    /// Where the limit comes from.
+    pub source: String,
 }

@@ -7,7 +7,7 @@ use plotters::style::IntoFont;
 
 use super::data::HeatAt;
 use super::error::ReportError;
-use super::line_chart::{BELOW, FONT, INK, LEFT, MARGIN, WIDTH};
+use super::line_chart::{BELOW, FONT, INK, LEFT, MARGIN, WIDTH, titled};
 use super::palette;
 use super::quantity::{Prefix, tick};
 
@@ -22,7 +22,7 @@ pub(super) fn svg(locations: &[HeatAt]) -> Result<String, ReportError> {
         figure: "heat by source".to_owned(),
         reason: error.to_string(),
     })?;
-    Ok(svg)
+    Ok(titled(&svg, "Heat per metre by source"))
 }
 
 fn draw<'s>(
@@ -38,7 +38,6 @@ fn draw<'s>(
     let count = locations.len() as f64;
 
     let area = SVGBackend::with_string(svg, (WIDTH, HEIGHT)).into_drawing_area();
-    area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&area)
         .margin(MARGIN)
         .x_label_area_size(BELOW)

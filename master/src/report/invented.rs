@@ -4,7 +4,7 @@ use std::path::Path;
 
 use field::{Axes, FieldWriter};
 
-use super::{EnergyLine, RailFacts, RunFacts};
+use super::{EnergyLine, LimitFacts, RailFacts, RunFacts, TrackFacts};
 use crate::recording::{Column, Key, KeyValues, SeriesWriter, VehicleRow, vehicle_keys};
 
 const VEHICLES: usize = 10;
@@ -167,7 +167,13 @@ pub fn facts() -> RunFacts {
         notes: vec!["wheels <outside> heat nothing".to_owned()],
         warnings: vec!["the disk is full".to_owned()],
         heat_maps_at_s: vec![10.0, 20.0, 160.0],
-        curves_m: vec![[50.0, 150.0]],
+        track: TrackFacts {
+            chainage_m: vec![0.0, 50.0, 50.0, 150.0, 150.0],
+            curvature_per_m: vec![0.0, 0.0, 0.002, 0.002, 0.0],
+            cant_angle_rad: vec![0.0; 5],
+            gradient: vec![0.0; 5],
+        },
+        limits: LimitFacts::default(),
         step_s: 1e-3,
         threads: 2,
         wall_time_s: Some(4.0),

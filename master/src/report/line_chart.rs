@@ -1,7 +1,7 @@
 //! Curves over time or chainage, as SVG.
 //!
 //! Drawings have twice the size at which the page shows them, because the backend places
-//! points on whole pixels.
+//! points on whole pixels. They have no background, so that they suit a dark page too.
 
 use std::ops::Range;
 
@@ -15,13 +15,13 @@ use super::palette;
 use super::quantity::{Prefix, tick};
 
 /// Width of all drawings.
-pub(super) const WIDTH: u32 = 1800;
+pub(super) const WIDTH: u32 = 900;
 /// Room to the left of the axes, for numbers and the name of the axis.
-pub(super) const LEFT: u32 = 150;
+pub(super) const LEFT: u32 = 130;
 /// Room below the axes.
 pub(super) const BELOW: u32 = 90;
-/// Room above and to the right.
-pub(super) const MARGIN: u32 = 20;
+/// Room above and to the right, where half of the last number stands.
+pub(super) const MARGIN: u32 = 36;
 /// Font of all text; the backend shows it at 1/1.24 of this size.
 pub(super) const FONT: (&str, u32) = ("sans-serif", 32);
 /// Colour of axes and text.
@@ -61,7 +61,8 @@ impl LineChart<'_> {
             figure: self.title.to_owned(),
             reason: error.to_string(),
         })?;
-        Ok(svg)
+        let lines = (0..self.curves.len()).map(|index| self.first_colour + index);
+        Ok(titled(&dashed(svg, lines), self.title))
     }
 
     fn draw(&self, svg: &mut String) -> Result<(), Box<dyn std::error::Error + '_>> {
@@ -74,7 +75,6 @@ impl LineChart<'_> {
         let horizontal = self.horizontal_range();
 
         let area = SVGBackend::with_string(svg, (WIDTH, self.height)).into_drawing_area();
-        area.fill(&WHITE)?;
         let mut chart = ChartBuilder::on(&area)
             .margin(MARGIN)
             .x_label_area_size(BELOW)
@@ -92,7 +92,7 @@ impl LineChart<'_> {
             .label_style(plotters::style::IntoFont::into_font(FONT).color(&INK))
             .x_desc(self.horizontal)
             .y_desc(name)
-            .x_labels(12)
+            .x_labels(7)
             .y_labels((self.height / 60) as usize)
             .x_label_formatter(&|x| tick(*x, horizontal.end - horizontal.start))
             .y_label_formatter(&|y| tick(*y, vertical.end - vertical.start))
@@ -107,7 +107,9 @@ impl LineChart<'_> {
                 chart.draw_series([Polygon::new(outline, colour.mix(0.25).filled())])?;
             }
             let line = self.line(&thin);
-            chart.draw_series(LineSeries::new(line, colour.stroke_width(3)))?;
+            // A line below others is wider, so that it shows where they lie on it.
+            let width = 3 + 2 * (self.curves.len() - 1 - index).min(2) as u32;
+            chart.draw_series(LineSeries::new(line, colour.stroke_width(width)))?;
         }
         area.present()?;
         drop(chart);
@@ -144,6 +146,27 @@ impl LineChart<'_> {
         }
         line
     }
+}
+
+/// The drawing with a title that screen readers say.
+pub(super) fn titled(svg: &str, title: &str) -> String {
+    let title = title.replace('&', "&amp;").replace('<', "&lt;");
+    svg.replacen("<svg ", "<svg role=\"img\" ", 1).replacen(
+        '>',
+        &format!("><title>{title}</title>"),
+        1,
+    )
+}
+
+/// The drawing with the patterns of these lines, which the backend cannot draw: they are those of their
+/// colours.
+fn dashed(mut svg: String, lines: impl Iterator<Item = usize>) -> String {
+    for index in lines.filter(|&index| !palette::dashes(index).is_empty()) {
+        let stroke = format!("stroke=\"{}\"", palette::html(palette::line(index)).to_uppercase());
+        let pattern = palette::dashes(index);
+        svg = svg.replace(&stroke, &format!("{stroke} stroke-dasharray=\"{pattern}\""));
+    }
+    svg
 }
 
 /// A point of a thinned curve.

@@ -1,8 +1,11 @@
 //! The table of main figures.
 
+use numerics::constants::KILOMETRES_PER_HOUR;
+
 use super::data::MainFigure;
 use super::error::ReportError;
 use super::facts::RunFacts;
+use super::instrument::Residual;
 use super::output_figures;
 use super::quantity::{seconds, with_unit};
 use super::results::Results;
@@ -54,13 +57,17 @@ enum Extreme {
 }
 
 /// The lines of the table.
-pub(super) fn of_run(results: &Results) -> Result<Vec<MainFigure>, ReportError> {
+pub(super) fn of_run(
+    results: &Results,
+    residual: Option<&Residual>,
+) -> Result<Vec<MainFigure>, ReportError> {
     let mut figures = motion(&results.vehicles)?;
     // Alone, a train has couplers only.
     let extremes = if results.facts.train_alone { &EXTREMES[..2] } else { &EXTREMES[..] };
     for &(key, name, column, unit, extreme) in extremes {
         figures.extend(of_vehicles(&results.vehicles, (key, name), column, unit, extreme)?);
     }
+    figures.extend(residual.map(coupling).into_iter().flatten());
     if let Some(outputs) = &results.outputs {
         figures.extend(output_figures::of_run(&results.facts.outputs, outputs)?);
     }
@@ -78,7 +85,7 @@ fn motion(vehicles: &SeriesReader) -> Result<Vec<MainFigure>, RecordingError> {
     let (time, position, velocity) = (ends("time")?, ends("position")?, ends("velocity")?);
     let distance = MainFigure::new("distance", "Distance run", position.1 - position.0, "m");
     let speed = |key: &str, name: &str, value: f64| MainFigure {
-        text: format!("{value:.2} m/s"),
+        text: format!("{value:.2} m/s ({:.1} km/h)", value * KILOMETRES_PER_HOUR),
         ..MainFigure::new(key, name, value, "m/s")
     };
     Ok(vec![
@@ -88,6 +95,24 @@ fn motion(vehicles: &SeriesReader) -> Result<Vec<MainFigure>, RecordingError> {
         speed("speed.end", "Speed at the end", velocity.1)
             .at(format!("change {:+.2} m/s", velocity.1 - velocity.0)),
     ])
+}
+
+/// What is lost or made where train and vehicles are coupled.
+fn coupling(residual: &Residual) -> [MainFigure; 2] {
+    let power = MainFigure::new(
+        "coupling.residual.power",
+        "Largest residual power of a coupling: what the train gives less what the vehicle takes",
+        residual.power,
+        "W",
+    );
+    let location = format!("vehicle {} at {} s", residual.vehicle, seconds(residual.time));
+    let energy = MainFigure::new(
+        "coupling.residual.energy",
+        "Residual of all couplings over the run",
+        residual.energy,
+        "J",
+    );
+    [MainFigure { time_s: Some(residual.time), ..power.at(location) }, energy]
 }
 
 /// An extreme over all vehicles and times; `None` if no value is finite.

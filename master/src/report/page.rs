@@ -7,19 +7,20 @@ use serde::Serialize;
 use super::data::{MainFigure, RailData, ReportData};
 use super::error::ReportError;
 use super::facts::{RailFacts, RunFacts};
-use super::figures::{self, Figure};
-use super::heat_map::{HeatMap, HeatMaps, warm_elements};
-use super::line_chart::{LEFT, MARGIN, WIDTH};
-use super::palette::{self, HEAT, HeatScale};
-use super::quantity::{round_with_unit, seconds, with_unit};
-
-/// Sensitivity of an uncooled thermal camera (paper, section 2), K.
-const CAMERA: f64 = 0.015;
+use super::figures::{self, Panel};
+use super::limits::{self, Judged};
+use super::provenance::Provenance;
+use super::quantity::with_unit;
+use super::script;
+use super::verdict::{Verdict, verdict};
+use super::wall_times::{WallTimes, wall_times};
 
 /// Pages and what they are made of.
-const TEMPLATES: [(&str, &str); 4] = [
+const TEMPLATES: [(&str, &str); 6] = [
     ("page.html", include_str!("../../templates/page.html")),
+    ("style.css", include_str!("../../templates/style.css")),
     ("figure.html", include_str!("../../templates/figure.html")),
+    ("provenance.html", include_str!("../../templates/provenance.html")),
     ("report.html", include_str!("../../templates/report.html")),
     ("system.html", include_str!("../../templates/system.html")),
 ];
@@ -29,13 +30,18 @@ const TEMPLATES: [(&str, &str); 4] = [
 struct Page<'a> {
     facts: &'a RunFacts,
     caution: Option<&'static str>,
+    verdict: Verdict,
+    limits: Vec<Judged>,
+    pictures: Vec<Panel>,
     main_figures: &'a [MainFigure],
     energy: Vec<(&'a str, String)>,
-    figures: Vec<Figure>,
     rail_tables: Vec<RailTable<'a>>,
-    rail_figures: Vec<Figure>,
-    heat: Vec<HeatFigure>,
-    surfaces: Vec<Figure>,
+    wall_times: WallTimes<'a>,
+    provenance: &'a Provenance,
+    numbers: String,
+    script: String,
+    library: &'static str,
+    library_style: &'static str,
 }
 
 /// A table with a column for each rail.
@@ -53,63 +59,32 @@ struct Cell<'a> {
     location: &'a str,
 }
 
-/// The heat maps with their colour bar.
-#[derive(Serialize)]
-struct HeatFigure {
-    rail: String,
-    maps: Vec<NamedMap>,
-    stops: Vec<String>,
-    ticks: Vec<Tick>,
-    camera: Option<Tick>,
-    left: u32,
-    right: u32,
-    width: u32,
-}
-
-#[derive(Serialize)]
-struct NamedMap {
-    name: String,
-    map: HeatMap,
-}
-
-#[derive(Serialize)]
-struct Tick {
-    x: f64,
-    label: String,
-}
-
 /// Makes the page.
 ///
 /// # Errors
 /// When a figure cannot be drawn or the template has an error.
 pub fn render(data: &ReportData) -> Result<String, ReportError> {
     let energy = data.energy.iter();
-    let mut page = Page {
-        facts: &data.facts,
-        caution: data.facts.rails.as_ref().and_then(RailFacts::caution),
-        main_figures: &data.main_figures,
-        energy: energy.map(|line| (line.name.as_str(), with_unit(line.joules, "J"))).collect(),
-        figures: figures::over_time(data)?,
-        rail_tables: rail_tables(&data.rails),
-        rail_figures: vec![],
-        heat: vec![],
-        surfaces: vec![],
-    };
-    if let Some(facts) = &data.facts.rails {
-        page.rail_figures.extend(figures::foot(&data.rails, facts)?);
-        page.rail_figures.extend(figures::heat(&data.rails)?);
-    }
-    let scale = HeatScale::of(data.highest_of_fields());
-    for rail in &data.rails {
-        let Some(field) = rail.field.as_ref().filter(|f| !f.snapshots.is_empty()) else { continue };
-        let elements = warm_elements(field, scale);
-        page.surfaces.push(figures::surface(&rail.side, field, elements.clone())?);
-        let locomotives = &data.facts.locomotives;
-        let curves = &data.facts.curves_m;
-        let maps = HeatMaps { field, scale, elements, locomotives, curves };
-        page.heat.push(heat_figure(&rail.side, maps)?);
-    }
-    fill("report.html", &page)
+    let limits = limits::judged(data);
+    fill(
+        "report.html",
+        &Page {
+            facts: &data.facts,
+            caution: data.facts.rails.as_ref().and_then(RailFacts::caution),
+            verdict: verdict(data, &limits),
+            limits,
+            pictures: figures::pictures(data)?,
+            main_figures: &data.main_figures,
+            energy: energy.map(|line| (line.name.as_str(), with_unit(line.joules, "J"))).collect(),
+            rail_tables: rail_tables(&data.rails),
+            wall_times: wall_times(&data.provenance),
+            provenance: &data.provenance,
+            numbers: data.instrument.json(),
+            script: script::instrument(),
+            library: script::UPLOT,
+            library_style: script::UPLOT_STYLE,
+        },
+    )
 }
 
 /// Fills the template of this name.
@@ -147,27 +122,4 @@ fn rail_tables(rails: &[RailData]) -> Vec<RailTable<'_>> {
             rows: (0..first.energy.len()).map(energy).collect(),
         },
     ]
-}
-
-/// The heat maps, all with one scale of colours and chainages.
-fn heat_figure(side: &str, maps: HeatMaps<'_>) -> Result<HeatFigure, ReportError> {
-    let HeatMaps { field, scale, .. } = maps;
-    let named = field.snapshots.iter().map(|snapshot| {
-        Ok(NamedMap { name: format!("At {} s", seconds(snapshot.time)), map: maps.draw(snapshot)? })
-    });
-    let (left, right) = (LEFT + MARGIN, WIDTH - MARGIN);
-    let tick = |rise: f64| Tick {
-        x: f64::from(left) + scale.share(rise) * f64::from(right - left),
-        label: round_with_unit(rise, "K"),
-    };
-    Ok(HeatFigure {
-        rail: side.to_owned(),
-        maps: named.collect::<Result<_, ReportError>>()?,
-        stops: HEAT.map(palette::html).to_vec(),
-        ticks: scale.ticks().map(tick).collect(),
-        camera: (scale.lowest()..scale.highest).contains(&CAMERA).then(|| tick(CAMERA)),
-        left,
-        right,
-        width: WIDTH,
-    })
 }

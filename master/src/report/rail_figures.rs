@@ -27,7 +27,7 @@ pub(super) struct RailSeries<'r> {
     side: &'r str,
 }
 
-/// Reads what the report shows of each rail; the fields are left to the caller.
+/// Reads what the report says of each rail.
 pub(super) fn of_run(folder: &Path, facts: &RailFacts) -> Result<Vec<RailData>, ReportError> {
     let table = SeriesReader::open(&folder.join("series"), RAIL_TABLE)?;
     let rail = |side: &String| {
@@ -44,7 +44,7 @@ pub(super) fn of_run(folder: &Path, facts: &RailFacts) -> Result<Vec<RailData>, 
             energy: series.energies()?,
             foot,
             heat: series.heat(facts)?,
-            field: None,
+            surface: series.surface()?,
         })
     };
     facts.sides.iter().map(rail).collect()
@@ -100,6 +100,15 @@ impl RailSeries<'_> {
         Ok(figures)
     }
 
+    /// Highest rise of the surface along the track at each record.
+    fn surface(&self) -> Result<Vec<(f64, f64)>, RecordingError> {
+        let column = "highest.surface.rise";
+        if !self.has(column) {
+            return Ok(vec![]);
+        }
+        Ok(self.read("time")?.into_iter().zip(self.read(column)?).collect())
+    }
+
     /// What cameras see of the foot, if the model tells it: the paper's has no such answer.
     fn foot(&self, facts: &RailFacts) -> Result<Option<Foot>, RecordingError> {
         let columns = ["foot.present.rise", "camera.train.rise"];
@@ -123,7 +132,7 @@ impl RailSeries<'_> {
             }
             Ok(MainFigure { text: "no rise".to_owned(), ..figure })
         };
-        Ok(vec![
+        let mut answer = vec![
             found("foot.highest", "Foot: highest rise over untouched rail", "foot.highest")?,
             self.detection(facts)?,
             found(
@@ -132,7 +141,27 @@ impl RailSeries<'_> {
                 "camera.train.highest",
             )?,
             self.track_side(facts, foot)?,
-        ])
+        ];
+        answer.extend(self.thermoelastic()?);
+        Ok(answer)
+    }
+
+    /// By how much bending changes the foot reversibly as axles pass the probes; its value is the whole swing.
+    fn thermoelastic(&self) -> Result<Option<MainFigure>, RecordingError> {
+        let [mut lowest, mut highest] = [0.0_f64; 2];
+        for probe in 1..=self.probes().count() {
+            let column = format!("probe[{probe}].foot.thermoelastic");
+            if self.has(&column) {
+                for change in self.read(&column)? {
+                    (lowest, highest) = (lowest.min(change), highest.max(change));
+                }
+            }
+        }
+        let swing = highest - lowest;
+        let name = "Foot: reversible change by bending at the probes";
+        let text = [lowest, highest].map(|change| round_with_unit(change, KELVIN)).join(" to ");
+        let figure = MainFigure { text, ..self.figure("foot.thermoelastic", name, swing, KELVIN) };
+        Ok((swing > 0.0).then(|| figure.at("at the records, between which it may be more")))
     }
 
     /// The error of the energy audit over the heat that wheels put in, if the model tells it.

@@ -6,19 +6,24 @@ use serde::Deserialize;
 
 use super::error::ReportError;
 use super::facts::RunFacts;
+use super::provenance::Provenance;
 use crate::files::file_error::read_toml;
 use crate::recording::SeriesReader;
 
-/// The part of the manifest that the report needs; the others are for people.
+/// The manifest of a train's run.
 #[derive(Deserialize)]
 struct Manifest {
     run: RunFacts,
+    #[serde(flatten)]
+    provenance: Provenance,
 }
 
 /// The results of a run, opened.
 pub(super) struct Results {
     /// Facts of the run.
     pub facts: RunFacts,
+    /// What was run.
+    pub provenance: Provenance,
     /// What train and rail say of themselves.
     pub train: SeriesReader,
     /// The vehicles.
@@ -31,13 +36,14 @@ impl Results {
     /// Opens `manifest.toml` and `series/` in `folder`.
     pub fn open(folder: &Path) -> Result<Self, ReportError> {
         let series = folder.join("series");
-        let facts = read_toml::<Manifest>(&folder.join("manifest.toml"))?.run;
+        let Manifest { run: facts, provenance } = read_toml(&folder.join("manifest.toml"))?;
         let outputs = match facts.outputs.is_empty() || facts.train_alone {
             true => None,
             false => Some(SeriesReader::open(&series, "outputs")?),
         };
         Ok(Self {
             facts,
+            provenance,
             outputs,
             train: SeriesReader::open(&series, "train")?,
             vehicles: SeriesReader::open(&series, "vehicles")?,

@@ -145,7 +145,7 @@ fn figure(
             steps: false,
         };
         let svg = chart.svg()?;
-        panels.push(Panel { name: "", legend: legend(names.into_iter(), 0), svg });
+        panels.push(Panel { name: "".into(), legend: legend(names.into_iter(), 0), svg });
     }
     let caption = format!("Outputs of {} that changed.", component.fmu);
     Ok(Figure { title: component.name.clone().into(), caption: caption.into(), panels })

@@ -20,6 +20,7 @@ use std::path::Path;
 use serde::Deserialize;
 
 use crate::files::file_error::{FileError, read_toml};
+use crate::report::{Limit, LimitFacts};
 
 /// Why figures cannot be compared.
 #[derive(Debug, thiserror::Error)]
@@ -167,6 +168,22 @@ pub fn compare(results: &Path, file: &Path) -> Result<Vec<Comparison>, ExpectedE
     Ok(expected.figure.into_iter().map(compared).collect())
 }
 
+/// The limits in `expected.toml` beside a scenario's file: none where there is no such file, or where it
+/// cannot be read, which `hotfoot expect` tells.
+pub(super) fn limits(scenario: &Path) -> LimitFacts {
+    let Ok(expected) = read_toml::<Expected>(&scenario.with_file_name("expected.toml")) else {
+        return LimitFacts::default();
+    };
+    let figures = expected.figure.into_iter().filter(ExpectedFigure::has_limits);
+    let limit = |ExpectedFigure { key, at_least, at_most, source, .. }| Limit {
+        key,
+        at_least,
+        at_most,
+        source,
+    };
+    LimitFacts { simulated_s: expected.simulated_s, figures: figures.map(limit).collect() }
+}
+
 impl ExpectedFigure {
     fn has_limits(&self) -> bool {
         self.at_least.is_some() || self.at_most.is_some()
@@ -204,6 +221,21 @@ mod tests {
             "simulated_s = 106.0\n[[figure]]\nkey = \"{key}\"\n{value}\ntolerance = 0.001\n\
              source = \"test\"\n"
         )
+    }
+
+    /// Of the expected figures beside a scenario those with limits are for the report.
+    #[test]
+    fn limits_beside_a_scenario_are_found() {
+        let folder = tempfile::tempdir().unwrap();
+        let scenario = folder.path().join("scenario.toml");
+        assert_eq!(limits(&scenario), LimitFacts::default());
+        let text =
+            figure("a", "at_most = 0.8") + "[[figure]]\nkey = \"b\"\nvalue = 1\nsource = \"x\"\n";
+        std::fs::write(folder.path().join("expected.toml"), text).unwrap();
+        let limits = limits(&scenario);
+        assert_eq!(limits.simulated_s, 106.0);
+        assert_eq!(limits.figures.len(), 1);
+        assert_eq!((limits.figures[0].key.as_str(), limits.figures[0].at_most), ("a", Some(0.8)));
     }
 
     #[test]

@@ -2,15 +2,17 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::begun::{command, utc};
 use super::folder::contents::MANIFEST;
 use super::output_table::table_name;
 use crate::files::file_error::{FileError, read_toml, write_whole};
-use crate::report::{ComponentFacts, MainFigure, RunFacts, SystemFacts};
+use crate::report::{ComponentFacts, MainFigure, RunFacts, SystemFacts, UnitFacts};
+use crate::system::part::Part;
 use crate::system::step::System;
 
 /// What made the results of a run: of a scenario's train, or of any other system.
@@ -36,6 +38,9 @@ pub struct Manifest {
     wall_time_of: Vec<WallTime>,
     #[serde(default)]
     fmu: Vec<FmuEntry>,
+    /// The units of a train's run; those of another system are its components.
+    #[serde(default)]
+    unit: Vec<UnitFacts>,
     /// The main figures of the report, for programs.
     #[serde(default)]
     pub figure: Vec<MainFigure>,
@@ -47,6 +52,12 @@ pub struct Origin {
     hotfoot_version: String,
     git_commit: String,
     machine: String,
+    /// When the program began with it, UTC.
+    #[serde(default)]
+    begun: String,
+    /// The command as it was given.
+    #[serde(default)]
+    command: String,
 }
 
 impl Origin {
@@ -57,6 +68,8 @@ impl Origin {
             hotfoot_version: env!("CARGO_PKG_VERSION").to_owned(),
             git_commit: env!("HOTFOOT_GIT_COMMIT").to_owned(),
             machine: format!("{} {}, {cores} cores", std::env::consts::OS, std::env::consts::ARCH),
+            begun: utc(SystemTime::now()),
+            command: command(std::env::args()),
         }
     }
 }
@@ -119,6 +132,7 @@ impl Manifest {
             warnings: vec![],
             wall_time_of: vec![],
             fmu: fmus(system),
+            unit: vec![],
             figure: vec![],
         }
     }
@@ -130,6 +144,7 @@ impl Manifest {
         let wall = times.run;
         if let Some(run) = &mut self.run {
             run.wall_time_s = Some(wall.as_secs_f64());
+            self.unit = unit_facts(system);
         }
         if let Some(facts) = &mut self.system {
             facts.wall_time_s = Some(wall.as_secs_f64());
@@ -190,16 +205,30 @@ impl Manifest {
     }
 }
 
+/// What the run knows of each unit.
+fn unit_facts(system: &System) -> Vec<UnitFacts> {
+    let facts = |part: &Part| UnitFacts {
+        name: part.unit.name().to_owned(),
+        fmu: file_name(part.unit.source_file()),
+        wall_time_s: part.wall.as_secs_f64(),
+        slowest_step_s: part.slowest.wall.as_secs_f64(),
+        slowest_at_s: part.slowest.end,
+        last_message: part.last_message.clone(),
+    };
+    system.parts.iter().map(facts).collect()
+}
+
+fn file_name(path: &str) -> String {
+    Path::new(path).file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
 /// What the run knows of each component.
 pub fn component_facts(system: &System) -> Vec<ComponentFacts> {
-    let facts = |part: &crate::system::part::Part| {
-        let file = Path::new(part.unit.source_file()).file_name().unwrap_or_default();
-        ComponentFacts {
-            name: part.unit.name().to_owned(),
-            fmu: file.to_string_lossy().into_owned(),
-            series: table_name(part.unit.as_ref()),
-            wall_time_s: part.wall.as_secs_f64(),
-        }
+    let facts = |part: &Part| ComponentFacts {
+        name: part.unit.name().to_owned(),
+        fmu: file_name(part.unit.source_file()),
+        series: table_name(part.unit.as_ref()),
+        wall_time_s: part.wall.as_secs_f64(),
     };
     system.parts.iter().map(facts).collect()
 }

@@ -8,7 +8,7 @@
 //! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
 //! | `after.rs` | what the rails go through after the run |
 //! | `checkpoint` | from where a run can go on |
-//! | `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
+//! | `begun.rs`, `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
 //! | `expected.rs` | the figures of a run against those expected |
 //! | `progress.rs`, `live.rs` | the progress bar |
 //! | `stop.rs` | whether the run is to stop before its end |
@@ -18,6 +18,7 @@
 //! | `workplace.rs`, `error.rs` | threads and name of a run, and why it failed |
 
 mod after;
+mod begun;
 mod checkpoint;
 pub mod error;
 pub mod expected;

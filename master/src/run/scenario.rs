@@ -2,12 +2,15 @@
 
 use std::path::Path;
 
+use track::TrackPoint;
+
 use super::after::Rails;
 use super::checkpoint::tape_file;
 use super::error::RunError;
+use super::expected::limits;
 use super::manifest::Manifest;
 use super::setup::{Setup, Subject};
-use crate::report::{RailFacts, RunFacts};
+use crate::report::{RailFacts, RunFacts, TrackFacts};
 use crate::scenario::{Heat, Scenario};
 use crate::train::error::PrepareError;
 use crate::train::fmus::Folders;
@@ -75,7 +78,8 @@ pub fn setup(
         outputs: scenario.record.outputs.clone(),
         rails: of_rails,
         heat_maps_at_s: scenario.record.heat_maps_at_s.clone(),
-        curves_m: curves(&scenario.track.file),
+        track: track_facts(&scenario.track.file),
+        limits: limits(file),
         step_s: scenario.step_s,
         threads,
         ..RunFacts::default()
@@ -95,8 +99,19 @@ fn rail_facts(heat: &Heat, layout: &Layout) -> RailFacts {
     }
 }
 
-/// The curves of the track, for the figures; a track that cannot be read has none here, since
-/// the units that need it have already said so.
-fn curves(track: &Path) -> Vec<[f64; 2]> {
-    track::Track::from_file(track).map(|track| track.curves()).unwrap_or_default()
+/// Points of the track that the report shows, at most.
+const MOST_POINTS: usize = 400;
+
+/// The track for the report; one that cannot be read has no points here, since the units that need
+/// it have already said so.
+fn track_facts(track: &Path) -> TrackFacts {
+    let profile = track::Track::from_file(track).map(|track| track.profile(MOST_POINTS));
+    let profile = profile.unwrap_or_default();
+    let column = |pick: fn(&TrackPoint) -> f64| profile.iter().map(|(_, at)| pick(at)).collect();
+    TrackFacts {
+        chainage_m: profile.iter().map(|(chainage, _)| *chainage).collect(),
+        curvature_per_m: column(|at| at.curvature),
+        cant_angle_rad: column(|at| at.cant_angle),
+        gradient: column(|at| at.gradient),
+    }
 }

@@ -32,10 +32,23 @@ pub struct Part {
     pub wall: Duration,
     /// Whether a step of it goes on elsewhere.
     begun: bool,
+    /// The slowest of them.
+    pub slowest: SlowestStep,
+    /// The last that was taken of its warnings.
+    pub last_message: Option<String>,
     /// Sums of the connected inputs since its last step, where it steps less often than the others.
     pub(super) sums: Vec<f64>,
     /// What becomes of the sum of each of them.
     pub(super) samplings: Vec<Sampling>,
+}
+
+/// The step of a unit that took longest.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct SlowestStep {
+    /// Its wall time.
+    pub wall: Duration,
+    /// Simulated time at its end, s.
+    pub end: f64,
 }
 
 /// All that changes of a part while a system runs.
@@ -48,6 +61,7 @@ pub struct PartState {
     outputs: Signals,
     watch: WatchState,
     wall: Duration,
+    slowest: SlowestStep,
     sums: Vec<f64>,
 }
 
@@ -65,6 +79,8 @@ impl Part {
             stage,
             wall: Duration::ZERO,
             begun: false,
+            slowest: SlowestStep::default(),
+            last_message: None,
             sums: vec![],
             samplings: vec![],
         }
@@ -126,7 +142,11 @@ impl Part {
         let watch = (!self.unit.is_brief()).then(Stopwatch::start);
         self.unit.step(time, length)?;
         self.take_outputs(time + length)?;
-        self.wall += watch.map_or(Duration::ZERO, |mut watch| watch.lap());
+        let wall = watch.map_or(Duration::ZERO, |mut watch| watch.lap());
+        self.wall += wall;
+        if wall > self.slowest.wall {
+            self.slowest = SlowestStep { wall, end: time + length };
+        }
         Ok(())
     }
 
@@ -153,7 +173,9 @@ impl Part {
     /// Takes the warnings of the unit and of the checks, under the unit's name.
     pub fn take_warnings(&mut self) -> Vec<String> {
         let texts = self.unit.take_warnings().into_iter().chain(self.watch.take_warnings());
-        texts.map(|text| format!("{}: {text}", self.unit.name())).collect()
+        let texts: Vec<String> = texts.collect();
+        self.last_message = texts.last().cloned().or(self.last_message.take());
+        texts.iter().map(|text| format!("{}: {text}", self.unit.name())).collect()
     }
 
     /// Turns the sums into the inputs of the next step and begins new ones.
@@ -180,6 +202,7 @@ impl Part {
             outputs: self.outputs.clone(),
             watch: self.watch.save(),
             wall: self.wall,
+            slowest: self.slowest,
             sums: self.sums.clone(),
         })
     }
@@ -189,7 +212,7 @@ impl Part {
     /// # Errors
     /// When the unit refuses, or it was saved by another part.
     pub fn restore(&mut self, saved: PartState) -> Result<(), UnitError> {
-        let PartState { unit, inputs, outputs, watch, wall, sums } = saved;
+        let PartState { unit, inputs, outputs, watch, wall, slowest, sums } = saved;
         let same = inputs.has_variables_of(&self.inputs)
             && outputs.has_variables_of(&self.outputs)
             && sums.len() == self.sums.len();
@@ -199,7 +222,7 @@ impl Part {
         self.unit.restore(&unit)?;
         (self.inputs, self.outputs, self.sums) = (inputs, outputs, sums);
         self.watch.restore(watch);
-        self.wall = wall;
+        (self.wall, self.slowest) = (wall, slowest);
         Ok(())
     }
 
