@@ -87,6 +87,11 @@ impl Setting {
             if written.starts_with('{') {
                 return (bytes.start + 1, format!(" {name} = {value},"));
             }
+            // The header of a section within it.
+            let line = text[..bytes.start].rfind('\n').map_or(0, |end| end + 1);
+            if text[line..].starts_with('[') && section.ends_with(written) {
+                return (line, format!("[{section}]\n{name} = {value}\n"));
+            }
             let header = written.trim_matches(['[', ']', ' ']);
             if header == section.rsplit_once('[').map_or(section, |(list, _)| list) {
                 let end = text[bytes.end..].find('\n').map_or(text.len(), |end| bytes.end + end);
@@ -137,7 +142,7 @@ mod tests {
         assert_eq!(changed("train.vehicles[2].group=1"), "group = 1");
         assert_eq!(changed("train.wind.angle=2"), "wind = { angle = 2, speed = 1 }");
         assert_eq!(changed("heat.parameters.\"section.rail\"=AS60"), "\"section.rail\" = \"AS60\"");
-        assert_eq!(changed("heat.rail=both"), "heat.rail = \"both\"");
+        assert_eq!(changed("heat.rail=both"), "[heat]; rail = \"both\"");
         assert_eq!(changed("record.interval_s=0.5"), "record.interval_s = 0.5");
         for key in ["train.couplers", "train.vehicles[2].group", "heat.rail", "record.interval_s"] {
             let setting = Setting { key: key.to_owned(), value: "1".to_owned() };

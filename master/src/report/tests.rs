@@ -2,7 +2,7 @@
 
 use super::collect::collect;
 use super::data::ReportData;
-use super::invented::{SPEED, facts, write_run};
+use super::invented::{facts, write_run};
 use super::page::render;
 use super::*;
 
@@ -195,10 +195,10 @@ fn property_a_report_is_the_same_each_time_it_is_made() {
 #[test]
 fn a_folder_without_manifest_is_refused_by_name() {
     let folder = tempfile::tempdir().unwrap();
-    let error = collect(folder.path()).unwrap_err().to_string();
+    let error = collect(folder.path()).err().unwrap().to_string();
     assert!(error.contains("manifest.toml: No such file"), "{error}");
     std::fs::write(folder.path().join("manifest.toml"), "[run]\ntitle = 3\n").unwrap();
-    let error = collect(folder.path()).unwrap_err().to_string();
+    let error = collect(folder.path()).err().unwrap().to_string();
     assert!(error.contains("line 2") && error.contains("manifest.toml"), "{error}");
 }
 
