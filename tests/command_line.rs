@@ -236,7 +236,8 @@ fn trains_that_overlap_are_refused_with_the_shortest_headway() {
 
 #[test]
 fn a_wrong_line_of_a_weather_file_is_answered_with_the_users_file() {
-    let scenario = with_heat("model = \"energy\"\nparameters = { weather_file = \"weather.csv\" }");
+    let mut scenario = with_heat("parameters = { weather_file = \"weather.csv\" }");
+    scenario.text = scenario.text.replace("model = \"paper\"", "model = \"energy\"");
     let file = scenario.folder.path().join("weather.csv");
     std::fs::write(&file, "time_s,air\n0,300\n").unwrap();
     let message = refusal(&scenario.run(&[]));
