@@ -101,14 +101,14 @@ fn motion(vehicles: &SeriesReader) -> Result<Vec<MainFigure>, RecordingError> {
 fn coupling(residual: &Residual) -> [MainFigure; 2] {
     let power = MainFigure::new(
         "coupling.residual.power",
-        "Largest residual power of a coupling: what the train gives less what the vehicle takes",
+        "Largest residual power of a coupling",
         residual.power,
         "W",
     );
     let location = format!("vehicle {} at {} s", residual.vehicle, seconds(residual.time));
     let energy = MainFigure::new(
         "coupling.residual.energy",
-        "Residual of all couplings over the run",
+        "Residual energy of all couplings",
         residual.energy,
         "J",
     );
