@@ -2,16 +2,43 @@
 
 use std::path::Path;
 
-use super::data::ReportData;
+use super::data::{MainFigure, RailData};
 use super::error::ReportError;
 use super::facts::{EnergyLine, RunFacts};
 use super::instrument::Instrument;
+use super::provenance::Provenance;
 use super::results::Results;
 use super::{main_figures, rail_figures};
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Column of the train in which the speed of a logger stands.
 const MEASURED_SPEED: &str = "driver.measured_speed";
+
+/// All that a report shows.
+pub struct ReportData {
+    /// Facts of the run.
+    pub facts: RunFacts,
+    /// What was run.
+    pub provenance: Provenance,
+    /// The table of main figures.
+    pub main_figures: Vec<MainFigure>,
+    /// The energy audit.
+    pub energy: Vec<EnergyLine>,
+    /// Times of the records, s.
+    pub time: Vec<f64>,
+    /// Speed of the leading vehicle at these times, m/s.
+    pub speed: Vec<f64>,
+    /// Speed in the logger's file at these times, m/s; empty without one.
+    pub measured_speed: Vec<f64>,
+    /// Lowest force in any coupler between two records, N, tension positive.
+    pub lowest_coupler_force: Vec<f64>,
+    /// Highest force in any coupler between two records, N.
+    pub highest_coupler_force: Vec<f64>,
+    /// The heated rails.
+    pub rails: Vec<RailData>,
+    /// The linked view.
+    pub instrument: Instrument,
+}
 
 /// Reads the results of the run in `folder`.
 ///

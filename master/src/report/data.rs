@@ -1,35 +1,7 @@
 //! What the report shows besides the linked view: plain vectors, in SI units.
 
-use super::facts::{EnergyLine, RunFacts};
-use super::instrument::Instrument;
-use super::provenance::Provenance;
+use super::facts::EnergyLine;
 use super::quantity::{seconds, with_unit};
-
-/// All that a report shows.
-pub struct ReportData {
-    /// Facts of the run.
-    pub facts: RunFacts,
-    /// What was run.
-    pub provenance: Provenance,
-    /// The table of main figures.
-    pub main_figures: Vec<MainFigure>,
-    /// The energy audit.
-    pub energy: Vec<EnergyLine>,
-    /// Times of the records, s.
-    pub time: Vec<f64>,
-    /// Speed of the leading vehicle at these times, m/s.
-    pub speed: Vec<f64>,
-    /// Speed in the logger's file at these times, m/s; empty without one.
-    pub measured_speed: Vec<f64>,
-    /// Lowest force in any coupler between two records, N, tension positive.
-    pub lowest_coupler_force: Vec<f64>,
-    /// Highest force in any coupler between two records, N.
-    pub highest_coupler_force: Vec<f64>,
-    /// The heated rails.
-    pub rails: Vec<RailData>,
-    /// The linked view.
-    pub instrument: Instrument,
-}
 
 /// A line of a table of figures; programs find it under its key in the manifest.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]

@@ -1,11 +1,12 @@
-//! The pictures of the first screen, which need no JavaScript: what warms, by which source, and the train.
+//! The pictures of the first screen, without JavaScript: what warms, by which source, and the train.
 
 use std::borrow::Cow;
 
 use numerics::constants::KILOMETRES_PER_HOUR;
 use serde::Serialize;
 
-use super::data::{Curve, Foot, RailData, ReportData};
+use super::collect::ReportData;
+use super::data::{Curve, Foot, RailData};
 use super::error::ReportError;
 use super::facts::RailFacts;
 use super::heat_by_source;

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::data::{MainFigure, ReportData};
+use super::collect::ReportData;
+use super::data::MainFigure;
 use super::facts::Limit;
 use super::quantity::with_unit;
 

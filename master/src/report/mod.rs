@@ -3,10 +3,10 @@
 //!
 //! | file | part |
 //! |---|---|
-//! | `data.rs` | what the report shows |
+//! | `data.rs` | figures, rails and curves that it shows |
 //! | `facts.rs`, `provenance.rs` | what the run itself adds to the results: parts of the manifest |
 //! | `results.rs` | the results of a run, opened |
-//! | `collect.rs` | reads from them what the report shows |
+//! | `collect.rs` | all that it shows, read from them |
 //! | `main_figures.rs` | the table of main figures |
 //! | `output_figures.rs` | what the run says of further outputs that were recorded |
 //! | `rail_figures.rs` | what the run says of each rail |

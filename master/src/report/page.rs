@@ -4,7 +4,8 @@ use minijinja::Environment;
 use minijinja::value::Serde;
 use serde::Serialize;
 
-use super::data::{MainFigure, RailData, ReportData};
+use super::collect::ReportData;
+use super::data::{MainFigure, RailData};
 use super::error::ReportError;
 use super::facts::{RailFacts, RunFacts};
 use super::figures::{self, Panel};

@@ -1,7 +1,7 @@
 //! The report of an invented run.
 
+use super::collect::ReportData;
 use super::collect::collect;
-use super::data::ReportData;
 use super::invented::{facts, write_run};
 use super::page::render;
 use super::*;

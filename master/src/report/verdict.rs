@@ -3,7 +3,8 @@
 
 use serde::Serialize;
 
-use super::data::{MainFigure, RailData, ReportData};
+use super::collect::ReportData;
+use super::data::{MainFigure, RailData};
 use super::facts::RailFacts;
 use super::limits::Judged;
 use super::quantity::{round_with_unit, seconds, with_unit};

@@ -168,8 +168,9 @@ pub fn compare(results: &Path, file: &Path) -> Result<Vec<Comparison>, ExpectedE
     Ok(expected.figure.into_iter().map(compared).collect())
 }
 
-/// The limits in `expected.toml` beside a scenario's file: none where there is no such file, or where it
-/// cannot be read, which `hotfoot expect` tells.
+/// The limits in `expected.toml` beside a scenario's file.
+///
+/// There are none where there is no such file, or where it cannot be read, which `hotfoot expect` tells.
 pub(super) fn limits(scenario: &Path) -> LimitFacts {
     let Ok(expected) = read_toml::<Expected>(&scenario.with_file_name("expected.toml")) else {
         return LimitFacts::default();

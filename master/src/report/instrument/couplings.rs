@@ -1,4 +1,4 @@
-//! Power that is lost or made where train and vehicle are coupled: the error of the co-simulation itself.
+//! Power that is lost or made where train and vehicle are coupled: the co-simulation's own error.
 //!
 //! The train gives a vehicle its coupler forces, traction, brake and resistance at the speed of the
 //! train model; the vehicle takes them, and the synchronisation force, at its own speed. What the train
