@@ -6,6 +6,7 @@ use super::provenance::Provenance;
 use super::quantity::{seconds, with_unit};
 
 /// All that a report shows.
+#[derive(Debug)]
 pub struct ReportData {
     /// Facts of the run.
     pub facts: RunFacts,
