@@ -15,6 +15,7 @@ use crate::recording::{KeyValue, RecordingError, SeriesReader};
 const MEASURED_SPEED: &str = "driver.measured_speed";
 
 /// All that a report shows.
+#[derive(Debug)]
 pub struct ReportData {
     /// Facts of the run.
     pub facts: RunFacts,

@@ -39,7 +39,7 @@ pub(super) struct LegendEntry {
 }
 
 /// Height of the drawings.
-const HEIGHT: u32 = 440;
+const HEIGHT: u32 = 400;
 
 /// A threshold is drawn where it is less than so many times the highest value: beyond, the curve would be flat.
 const NEAR: f64 = 20.0;
@@ -156,7 +156,7 @@ fn heat(rails: &[RailData]) -> Result<Vec<Panel>, ReportError> {
             // Bars have no patterns.
             legend: legend(labels, 0)
                 .into_iter()
-                .map(|e| LegendEntry { dashes: "", ..e })
+                .map(|e| LegendEntry { dashes: "solid", ..e })
                 .collect(),
             svg: heat_by_source::svg(&rail.heat)?,
         })

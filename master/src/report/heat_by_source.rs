@@ -11,7 +11,7 @@ use super::line_chart::{BELOW, FONT, INK, LEFT, MARGIN, WIDTH, titled};
 use super::palette;
 use super::quantity::{Prefix, tick};
 
-const HEIGHT: u32 = 560;
+const HEIGHT: u32 = 400;
 /// Room for a bar's neighbours: bars of a location take this share of its width.
 const FILLED: f64 = 0.8;
 
@@ -47,7 +47,9 @@ fn draw<'s>(
     // other one lies in the middle of a location and carries its name.
     let name = |x: &f64| {
         let location = locations.get(*x as usize).filter(|_| (x.fract() - 0.5).abs() < 1e-6);
-        location.map_or_else(String::new, |location| location.location.clone())
+        // "mean of the modelled rail" has no room.
+        let words = location.and_then(|location| location.location.split(" of ").next());
+        words.unwrap_or_default().to_owned()
     };
     chart
         .configure_mesh()

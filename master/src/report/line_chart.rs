@@ -19,7 +19,7 @@ pub(super) const WIDTH: u32 = 900;
 /// Room to the left of the axes, for numbers and the name of the axis.
 pub(super) const LEFT: u32 = 130;
 /// Room below the axes.
-pub(super) const BELOW: u32 = 90;
+pub(super) const BELOW: u32 = 76;
 /// Room above and to the right, where half of the last number stands.
 pub(super) const MARGIN: u32 = 36;
 /// Font of all text; the backend shows it at 1/1.24 of this size.

@@ -15,7 +15,7 @@ use super::rail_figures::SOURCES;
 pub(super) struct Verdict {
     /// The answer in a few words.
     pub answer: String,
-    /// What belongs to it, in sentences.
+    /// What belongs to it: a paragraph for each rail, or for each thing to say.
     pub sentences: Vec<String>,
 }
 
@@ -72,8 +72,8 @@ fn of_rails(rails: &[RailData], facts: &RailFacts) -> Verdict {
     };
     let mut sentences = vec![];
     for rail in rails {
-        sentences.extend(of_foot(rail, facts, &threshold));
-        sentences.extend(source(rail));
+        let of_rail = of_foot(rail, facts, &threshold).into_iter().chain(source(rail));
+        sentences.push(of_rail.collect::<Vec<_>>().join(" "));
     }
     Verdict { answer, sentences }
 }
@@ -103,7 +103,7 @@ fn of_foot(rail: &RailData, facts: &RailFacts, threshold: &str) -> Vec<String> {
         figure(rail, "foot.highest")
     {
         sentences.push(format!(
-            "It is warmest, by {} in the {side} rail, at chainage {at:.1} m, {}.",
+            "The foot of the {side} rail is warmest, by {}, at chainage {at:.1} m, {}.",
             highest.text,
             after_train(*time, facts)
         ));

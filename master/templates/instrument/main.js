@@ -144,7 +144,7 @@ class View {
     for (const update of this.updates) update();
     this.over.repaint(time);
     this.whole.repaint(time / 60);
-    this.along.repaint(this.chainage);
+    this.along.repaint(this.chainage ?? instant(run, "position", time)[this.vehicle - 1]);
     this.deep.repaint(1e3 * (run.rails[this.rail]?.field?.depth[this.depth] ?? 0));
     this.showReadout();
   }
