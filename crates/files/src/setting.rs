@@ -104,7 +104,7 @@ impl Setting {
 
 /// The sections that may hold a key, the innermost one first, each with the name of the key in it.
 fn sections(key: &str) -> impl Iterator<Item = (&str, &str)> {
-    let is_outside = |at: &usize| key[..*at].matches('"').count() % 2 == 0;
+    let is_outside = |at: &usize| key[..*at].matches('"').count().is_multiple_of(2);
     let dots = key.rmatch_indices('.').map(|(at, _)| at).filter(move |at| is_outside(at));
     dots.map(|at| (&key[..at], &key[at + 1..]))
 }
