@@ -36,12 +36,13 @@ SIGNALS = [
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory):
     """A scenario of five vehicles, the package of it, and the results of both. The wind is an input
-    that keeps its value: libcosim sets it while the train is instantiated."""
+    that keeps its value: libcosim sets it while the train is instantiated. The heat model is the
+    default, since FMPy's simulate_ssp sets no String variables."""
     folder = tmp_path_factory.mktemp("ssp")
     scheme = ("step_s = 0.001", 'step_s = 0.001\nscheme = "jacobi"')
     speed = "speed_m_per_s = 16.67"
     wind = (speed, speed + "\nwind = { speed_m_per_s = 12.0, direction_deg = 30.0 }")
-    scenario = five_vehicles(folder, [scheme, wind])
+    scenario = five_vehicles(folder, [scheme, wind, ('model = "paper"\n', "")])
     hotfoot("run", scenario, "--quiet", "--results", folder / "scenario")
     hotfoot("export-ssp", scenario, "--output", folder / "train.ssp")
     package = [folder / "train.ssp", "--interval", LENGTH * EVERY]
