@@ -38,7 +38,12 @@ pub fn run_all() -> Result<()> {
         let docs = ["doc", "--workspace", "--no-deps", "--release", "--quiet"];
         run(cargo().args(docs).env("RUSTDOCFLAGS", "-D warnings"))
     })?;
-    stages.run("Rust tests", || run(cargo().args(["test", "--workspace", "--release"])))?;
+    stages.run("Rust tests", || {
+        // Many of them wait for a process, a limit or a kill, so two share a core.
+        let threads = 2 * std::thread::available_parallelism().map_or(1, usize::from);
+        let test = ["test", "--workspace", "--release"];
+        run(cargo().args(test).env("RUST_TEST_THREADS", threads.to_string()))
+    })?;
     stages.run("FMPy tests", || {
         run(Command::new(&python).args(["-m", "pytest", "-q", "-n", "auto", "tests/python"]))
     })?;
