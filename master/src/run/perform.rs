@@ -75,11 +75,11 @@ fn step_through(
     mut checkpoints: Option<&mut Checkpoints>,
 ) -> Result<Option<Early>, FailedStep> {
     let Started { recorder, progress, live, reached } = started;
-    if let Reached::Run(_) = reached {
+    if let Reached::Run(done) = *reached {
         let timer = Timer::after(setup.system.times.run);
         let checkpoints = checkpoints.as_deref_mut();
         let mut stepping = Stepping { setup, recorder, progress, live, checkpoints, timer };
-        let early = stepping.run(*reached);
+        let early = stepping.run(done);
         stepping.setup.system.times.run = stepping.timer.elapsed();
         if let Some(early) = early? {
             return Ok(Some(early));

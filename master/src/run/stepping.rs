@@ -20,12 +20,11 @@ pub struct Stepping<'r> {
 }
 
 impl Stepping<'_> {
-    /// Takes all units through the steps of the run behind what is reached, until somebody wants it to end.
+    /// Takes all units through the steps behind those that are done, until somebody wants the run to end.
     ///
     /// # Errors
     /// When a unit fails, or nothing can be written, with the time of the last point before.
-    pub fn run(&mut self, reached: Reached) -> Result<Option<Early>, FailedStep> {
-        let Reached::Run(done) = reached else { return Ok(None) };
+    pub fn run(&mut self, done: u64) -> Result<Option<Early>, FailedStep> {
         for k in done..self.setup.steps {
             let time = self.setup.system.clock.at(k);
             let failed = |source| FailedStep { time, source };

@@ -28,6 +28,7 @@ pub fn load(path: &Path, settings: &[Setting]) -> Result<(Scenario, PathBuf, Str
     let mut document = Document::read(&file)?;
     let mut scenario = read(&document)?;
     if !settings.is_empty() {
+        // The file was right by itself, at its own lines.
         document = document.with(settings)?;
         scenario = read(&document)?;
     }

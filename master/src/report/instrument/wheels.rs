@@ -17,8 +17,11 @@ const OF_WHEEL: [(&str, &str, bool); 5] = [
     ("creepage_lateral", "1", false),
     ("creepage_spin", "1/m", false),
     ("force_normal", "N", false),
-    ("friction_power", "W", true),
+    (FRICTION_POWER, "W", true),
 ];
+
+/// The column from which the wear number is.
+const FRICTION_POWER: &str = "friction_power";
 
 /// Numbers that all wheels together may take.
 const BUDGET: usize = 55_000;
@@ -98,9 +101,13 @@ fn of_wheel(
 ) -> Result<Wheel, RecordingError> {
     let keys = keys(vehicle, wheelset, side);
     let read = |name: &str| table.read(name, &keys);
-    let mut quantities = vec![];
+    let (mut quantities, mut power) = (vec![], vec![]);
     for (name, unit, extremes) in OF_WHEEL {
-        let plain = Quantity::plain(name, unit, &read(name)?, picks);
+        let values = read(name)?;
+        let plain = Quantity::plain(name, unit, &values, picks);
+        if name == FRICTION_POWER {
+            power = values;
+        }
         quantities.push(match extremes {
             true => {
                 let ends = (read(&format!("{name}_min"))?, read(&format!("{name}_max"))?);
@@ -110,7 +117,6 @@ fn of_wheel(
         });
     }
     let speed = vehicles.read("velocity", &keys[..1])?;
-    let power = read("friction_power")?;
     let wear = power.iter().zip(speed).map(|(power, speed)| match speed.abs() > SLOW {
         true => power / speed.abs(),
         false => f64::NAN,
