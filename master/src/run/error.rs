@@ -82,7 +82,10 @@ pub enum RunError {
 impl RunError {
     /// What `map_err` needs for units of the scenario in this file.
     pub(crate) fn prepare(file: &Path) -> impl FnOnce(PrepareError) -> Self + '_ {
-        move |source| Self::Prepare { file: file.display().to_string(), source: source.into() }
+        move |source| match source {
+            PrepareError::Value(mistake) => Self::Scenario(mistake),
+            source => Self::Prepare { file: file.display().to_string(), source: source.into() },
+        }
     }
 
     /// A step that failed, in a run whose results are in this folder.

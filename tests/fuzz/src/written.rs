@@ -17,7 +17,7 @@ pub fn scenario(bytes: &[u8]) {
     for file in ["track.toml", "driver.toml", "stock/vehicles/wagon.toml"] {
         scratch.write(file, "");
     }
-    let _ = hotfoot::scenario::load(scratch.folder());
+    let _ = hotfoot::scenario::load(scratch.folder(), &[]);
 }
 
 pub fn track(bytes: &[u8]) {
