@@ -5,8 +5,7 @@
 //! | `run.rs` | `run` |
 //! | `new.rs` | `new` |
 //! | `supervise/` | a command in a child process, which an FMU may crash |
-//! | `export_ssp.rs`, `pack.rs`, `check.rs` | the commands of the same names |
-//! | `scenario_files.rs` | the files of a scenario, checked before it is run |
+//! | `export_ssp.rs`, `pack.rs`, `check/` | the commands of the same names |
 //! | `wiring.rs` | `wiring` |
 //! | `results.rs` | `report`, `expect` |
 //! | `interface.rs` | `interface`, `schema` |
@@ -24,7 +23,6 @@ mod output;
 mod pack;
 mod results;
 mod run;
-mod scenario_files;
 mod supervise;
 mod wiring;
 

@@ -11,8 +11,8 @@ use hotfoot::run::{self, Ended, Options, is_system};
 use hotfoot::scenario::Times;
 use tools::number::{count, positive};
 
+use crate::check::scenario_files;
 use crate::output::{self, tell};
-use crate::scenario_files;
 use crate::supervise::child::{self, Child};
 use crate::supervise::limits::Limits;
 use crate::supervise::{self, Blame, End, exit_code};

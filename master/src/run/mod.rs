@@ -13,19 +13,19 @@
 //! | `progress.rs`, `live.rs` | the progress bar |
 //! | `stop.rs` | whether the run is to stop before its end |
 //! | `export.rs`, `sources.rs` | a scenario's train as a package |
-//! | `foresee.rs` | a run up to its first step |
+//! | `check_until_start.rs` | a run up to its first step |
 //! | `wiring.rs` | what would be run, without running it |
 //! | `folder/` | the folder of a run: claimed, and completed after any end |
 //! | `workplace.rs`, `error.rs` | threads and name of a run, and why it failed |
 
 mod after;
+mod check_until_start;
 mod checkpoint;
 pub mod error;
 pub mod expected;
 mod export;
 mod finished;
 pub mod folder;
-mod foresee;
 mod live;
 mod manifest;
 mod observe_error;
@@ -52,11 +52,11 @@ mod after_tests;
 
 use std::path::{Path, PathBuf};
 
+pub use check_until_start::check_until_start;
 use checkpoint::{Beginning, CheckpointError, Checkpoints, Order, Subject};
 use error::RunError;
 pub use export::{Exported, export};
 pub use finished::Finished;
-pub use foresee::foresee;
 use manifest::Manifest;
 pub use manifest::{End, Ended};
 pub use options::Options;

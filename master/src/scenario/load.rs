@@ -111,7 +111,11 @@ fn there(folder: &Path, path: &Path, key: &str, check: &Check) -> Result<PathBuf
             let (problem, meant) =
                 missing.sentence.split_once("; ").unwrap_or((&missing.sentence, ""));
             let meant = if meant.is_empty() { String::new() } else { format!("; {meant}") };
-            let wanted = format!("{problem} at {}{meant}", full.display());
+            // The folder that is missing is named already.
+            let wanted = match problem.contains("there is no folder") {
+                true => problem.to_owned(),
+                false => format!("{problem} at {}{meant}", full.display()),
+            };
             Err(check.error(key, path.display(), wanted))
         }
     }

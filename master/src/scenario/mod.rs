@@ -10,8 +10,10 @@
 //! | `times.rs` | times of the command line in place of the file's |
 //! | `check.rs` | bounds, and what one key demands of another |
 //! | `inputs.rs` | the files that it names |
+//! | `blame.rs` | the key that a component complains of |
 //! | `load.rs` | reading, with messages that point at the line |
 
+mod blame;
 mod check;
 mod extent;
 mod file;

@@ -26,7 +26,12 @@ pub fn parameter(
     let variable = import.interface().variable(name).ok_or_else(|| {
         let variables = import.interface().variables();
         let meant = did_you_mean(name, variables.iter().map(|variable| variable.name.as_str()));
-        wrong(format!("there is no such parameter{meant}; `hotfoot interface {file}` lists them"))
+        wrong(match meant.is_empty() {
+            true => {
+                "there is no such parameter; `hotfoot interface` lists those of an FMU".to_owned()
+            }
+            false => format!("there is no such parameter{meant}"),
+        })
     })?;
     let (causality, kind) = (variable.causality.as_str(), variable.kind);
     let is_input = causality == "input" && kind == VariableType::Real && stated.number().is_some();

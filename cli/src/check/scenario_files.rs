@@ -9,8 +9,9 @@ const WEATHER: &str = "weather_file";
 /// The parameter of a rail that names its section.
 const SECTION: &str = "section.rail";
 
-/// Reads and checks every file that a scenario names, as the models do. Gives what is possible and yet hardly
-/// meant, in sentences.
+/// Reads and checks every file that a scenario names, as the models do.
+///
+/// Gives what is possible and yet hardly meant, in sentences.
 ///
 /// # Errors
 /// When one cannot be read or has a value that is not possible.

@@ -15,14 +15,12 @@ use crate::train::fmus::Folders;
 ///
 /// # Errors
 /// When something is wrong for which the run would not begin.
-pub fn foresee(path: &Path, fmus: &Path) -> Result<Vec<String>, RunError> {
+pub fn check_until_start(path: &Path, fmus: &Path) -> Result<Vec<String>, RunError> {
     let folder = tempfile::tempdir().map_err(FileError::at(path))?;
     let (scenario, file, text) = scenario::load(path, &[])?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().to_owned() };
     let mut setup = setup(scenario, (&file, text), &folders, 1)?;
-    let (stop, rails_end) = (setup.stop, setup.rails_end());
-    let rails = &setup.rails;
-    setup.system.initialize(|part| if rails.contain(part) { rails_end } else { stop })?;
+    setup.initialize()?;
     setup.recorder(&folder.path().join("series"))?;
     setup.describe()?;
     terminate(setup.system.units_mut()).map_err(RunError::End)?;

@@ -1,5 +1,12 @@
-//! `hotfoot check`: a scenario with all its files; or an FMU against the rules of FMI 2.0, for a role, and
-//! against its reference result.
+//! `hotfoot check`: a scenario with all its files, or an FMU.
+//!
+//! An FMU is checked against the rules of FMI 2.0, for a role, and against its reference result.
+//!
+//! | file | part |
+//! |---|---|
+//! | `scenario_files.rs` | the files of a scenario |
+
+pub mod scenario_files;
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +19,6 @@ use hotfoot::roles;
 
 use crate::output::print;
 use crate::run::default_fmus;
-use crate::scenario_files;
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
@@ -85,8 +91,8 @@ fn check_scenario(path: &Path, arguments: &CheckArguments) -> Result<u8> {
     let notes = scenario_files::check(&scenario)?;
     command_in_child(&arguments.limits, || {
         let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
-        let foreseen = hotfoot::run::foresee(&file, &fmus)?;
-        for note in notes.iter().chain(&foreseen) {
+        let check_until_startn = hotfoot::run::check_until_start(&file, &fmus)?;
+        for note in notes.iter().chain(&check_until_startn) {
             print(format_args!("note: {note}"))?;
         }
         print(format_args!("{}: can be run", file.display()))
