@@ -90,7 +90,7 @@ impl RunError {
         }
     }
 
-    /// The same, told at the key of the scenario that a component complains of at the start, if it names one.
+    /// The same, told at the key of the scenario that a component complains of, if it names one.
     pub(crate) fn at_key(self, scenario: &Scenario) -> Self {
         let unit = match &self {
             Self::Start(StartError::Unit(unit)) => unit,
