@@ -213,7 +213,7 @@ fn outside(lever: &str, full: f64, most: f64, time: f64) -> String {
         false => "",
     };
     format!(
-        "at {time} s must lie between 0 and {} as replay.{lever}_full = {full} is the whole of it{pressure}",
+        "must lie between 0 and {} (at {time} s), as replay.{lever}_full = {full} is the whole of it{pressure}",
         most * full
     )
 }
