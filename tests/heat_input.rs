@@ -81,12 +81,12 @@ fn impossible_values_are_named() {
         (
             "",
             "\"wind.speed\" = 300",
-            "`wind.speed` cannot be 300 m/s: it must be a finite number, from 0 to 115 m/s",
+            "heat.parameters.\"wind.speed\" = 300: must lie between 0 and 115 m/s",
         ),
         (
             "probe = [{ chainage_m = 30.0 }, { chainage_m = 100.0 }]",
             "",
-            "probe at chainage_m = 100: must lie on the modelled track from 0 m to 60 m",
+            "heat.probe[2].chainage_m = 100.0: must lie on the modelled rail, from 0 m to 60 m",
         ),
     ] {
         let said = refusal(keys, parameters, ("unused", ""));

@@ -28,6 +28,7 @@
 //! | `ssp_kinds.rs` | packages as other tools write them |
 //! | `synchronisation.rs` | the controller in the whole loop |
 //! | `tools.rs` | the engineering commands |
+//! | `wrong_input.rs`, `wrong-input/` | wrong files, and the whole message for each |
 //!
 //! All are one program, since linking is what takes the time of such tests' build. They need the
 //! packed FMUs (`cargo xtask fmus`); `cargo test --release -p hotfoot-tests rails` runs those of `rails.rs`.
@@ -58,3 +59,4 @@ mod seam;
 mod ssp_kinds;
 mod synchronisation;
 mod tools;
+mod wrong_input;

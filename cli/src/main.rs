@@ -5,7 +5,7 @@
 //! | `run.rs` | `run` |
 //! | `new.rs` | `new` |
 //! | `supervise/` | a command in a child process, which an FMU may crash |
-//! | `export_ssp.rs`, `pack.rs`, `check.rs` | the commands of the same names |
+//! | `export_ssp.rs`, `pack.rs`, `check/` | the commands of the same names |
 //! | `wiring.rs` | `wiring` |
 //! | `results.rs` | `report`, `expect` |
 //! | `interface.rs` | `interface`, `schema` |
@@ -72,7 +72,7 @@ enum Command {
         /// File of expected figures, such as `expected.toml` beside the scenario
         expected: PathBuf,
     },
-    /// Check an FMU against FMI 2.0, for a role in the train, and against its reference result
+    /// Check a scenario with all its files, or an FMU against FMI 2.0, for a role and its reference result
     #[command(after_help = examples::CHECK)]
     Check(check::CheckArguments),
     /// Pack an FMU: a binary with resources and the model description for them

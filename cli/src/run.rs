@@ -7,10 +7,11 @@ use clap::{Args, ValueEnum};
 use files::Setting;
 use hotfoot::run::folder::claim::Claim;
 use hotfoot::run::folder::complete::complete;
-use hotfoot::run::{self, Ended, Options};
+use hotfoot::run::{self, Ended, Options, is_system};
 use hotfoot::scenario::Times;
 use tools::number::{count, positive};
 
+use crate::check::scenario_files;
 use crate::output::{self, tell};
 use crate::supervise::child::{self, Child};
 use crate::supervise::limits::Limits;
@@ -203,7 +204,10 @@ fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
     let results = child.results().ok_or_else(|| anyhow!("the parent has given no folder"))?;
     let finished = match &arguments.resume {
         Some(_) => run::resume(results, &options)?,
-        None => run::run(arguments.scenario(), results, &options)?,
+        None => {
+            note_files(arguments)?;
+            run::run(arguments.scenario(), results, &options)?
+        }
     };
     let mut code = 0;
     if let Some(stopped) = finished.stopped() {
@@ -214,6 +218,21 @@ fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
     // All is done; what the FMUs do when they are freed can only be a reason for a warning.
     child.finish(code);
     Ok(code)
+}
+
+/// Checks the files of a scenario, and tells what is hardly meant.
+fn note_files(arguments: &RunArguments) -> Result<()> {
+    let path = arguments.scenario();
+    if is_system(path) {
+        return Ok(());
+    }
+    let (mut scenario, file, _) = hotfoot::scenario::load(path, &arguments.settings)?;
+    let times = Times { duration: arguments.duration, ..Times::default() };
+    times.replace_in(&mut scenario, &file)?;
+    for note in scenario_files::check(&scenario)? {
+        tell(format_args!("note: {note}"));
+    }
+    Ok(())
 }
 
 /// `fmus` beside the folder of the program: `target/fmus` for `target/release/hotfoot`.

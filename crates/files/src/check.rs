@@ -129,6 +129,19 @@ impl<'a> Check<'a> {
         self.ensure(possible, key, value, &format!("must lie between {low} and {high}"))
     }
 
+    /// A share from 0 to `most`, which many write in percent.
+    ///
+    /// # Errors
+    /// When it is not.
+    pub fn share(&self, key: &str, value: f64, most: f64) -> Result<(), Mistake> {
+        let hint = match value > most && value <= 100.0 {
+            true => format!("; it is a share: {} for {value} %", value / 100.0),
+            false => String::new(),
+        };
+        let possible = value >= 0.0 && value <= most;
+        self.ensure(possible, key, value, &format!("must lie between 0 and {most}{hint}"))
+    }
+
     /// Numbers that rise from each to the next.
     ///
     /// # Errors

@@ -8,7 +8,7 @@ use crate::mistake::{Mark, Mistake};
 use crate::nearest::did_you_mean;
 
 /// The text of a file that a person wrote, with the name that messages give it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     name: String,
     text: String,

@@ -31,6 +31,9 @@ pub(crate) fn in_words(
             false => "a text needs quotes".to_owned(),
         });
     }
+    if message.starts_with("invalid basic string, expected `\"`") {
+        return Some("the quotation mark at the end of the text is missing".to_owned());
+    }
     let value = before.split_once('=').map(|(_, value)| value.trim());
     let is_number = value.is_some_and(|value| value.parse::<f64>().is_ok());
     let decimal_comma = is_number && after.starts_with(',');

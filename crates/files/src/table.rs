@@ -66,13 +66,17 @@ impl<'a> Table<'a> {
         self.names().position(|own| own == name)
     }
 
+    /// The value in a row and a column, both counted from 0, as the file has it.
+    pub fn text(&self, row: usize, column: usize) -> &str {
+        self.rows[row].1.get(column).unwrap_or_default()
+    }
+
     /// The number in a row and a column, both counted from 0.
     ///
     /// # Errors
     /// When it is not a finite number.
     pub fn number(&self, row: usize, column: usize) -> Result<f64, Mistake> {
-        let text = self.rows[row].1.get(column).unwrap_or_default();
-        match text.parse::<f64>() {
+        match self.text(row, column).parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
             _ => Err(self.error(row, column, "must be a number")),
         }

@@ -93,19 +93,37 @@ impl Library {
         document.parse::<GearFile>()?.compile(&document.check())
     }
 
+    /// The draft gears at the front and the rear of the vehicle `name`.
+    ///
+    /// # Errors
+    /// When there is no such draft gear, or its file has a value that is not possible.
+    pub fn draft_gears_of(&self, name: &str, vehicle: &Vehicle) -> Result<[DraftGear; 2], Mistake> {
+        let gear = |key: &str, gear: &str| {
+            let folder = self.root.join("draft_gears");
+            if folder.join(format!("{gear}.toml")).is_file() {
+                return self.draft_gear(gear);
+            }
+            let known = names(&folder);
+            let meant = did_you_mean(gear, known.iter().map(String::as_str));
+            let wanted =
+                format!("there is no draft gear of this name in {}{meant}", folder.display());
+            let document = Document::read(&self.vehicle_path(name))?;
+            Err(document.check().error(key, format!("\"{gear}\""), wanted))
+        };
+        let coupler = &vehicle.coupler;
+        let rear = match coupler.rear {
+            Some(_) => "coupler.rear.draft_gear",
+            None => "coupler.draft_gear",
+        };
+        Ok([
+            gear("coupler.draft_gear", &coupler.draft_gear)?,
+            gear(rear, coupler.rear_draft_gear())?,
+        ])
+    }
+
     /// The names of all vehicle types in order.
     fn vehicle_names(&self) -> Vec<String> {
-        let files = std::fs::read_dir(self.root.join("vehicles")).into_iter().flatten().flatten();
-        let stems = files.filter_map(|file| {
-            let path = file.path();
-            path.extension()
-                .is_some_and(|extension| extension == "toml")
-                .then(|| path.file_stem()?.to_str().map(str::to_owned))
-                .flatten()
-        });
-        let mut names: Vec<String> = stems.collect();
-        names.sort();
-        names
+        names(&self.root.join("vehicles"))
     }
 
     fn vehicle_path(&self, name: &str) -> PathBuf {
@@ -158,6 +176,17 @@ impl Library {
         merge(&mut base, own);
         Ok(base)
     }
+}
+
+/// The names of the TOML files in a folder, in order.
+fn names(folder: &Path) -> Vec<String> {
+    let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let stem = |file: std::fs::DirEntry| {
+        Some(file.file_name().to_str()?.strip_suffix(".toml")?.to_owned())
+    };
+    let mut names: Vec<String> = files.filter_map(stem).collect();
+    names.sort();
+    names
 }
 
 /// Puts `own` over `base`, table by table.

@@ -161,7 +161,11 @@ impl Vehicle {
             brake.check(&check.section("dynamic_brake"))?;
         }
         if let Some(multibody) = &self.multibody {
-            multibody.check(&check.section("multibody"), self.mass_kg)?;
+            let wheelsets = multibody.wheelset.len();
+            let wanted = format!("must be {wheelsets}, as [multibody] has {wheelsets} wheelsets");
+            check.ensure(self.axles as usize == wheelsets, "axles", self.axles, &wanted)?;
+            multibody.check_mass(check, self.mass_kg)?;
+            multibody.check(&check.section("multibody"))?;
         }
         Ok(())
     }

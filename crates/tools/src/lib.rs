@@ -8,6 +8,7 @@
 //! | `creep/` | `hotfoot creep`: creep forces, friction power and flash temperature |
 //! | `modes.rs` | `hotfoot modes`: natural frequencies, damping and shapes of a vehicle |
 //! | `critical_speed.rs` | `hotfoot critical-speed`: the speed at which it becomes unstable |
+//! | `train_files.rs` | the files of a train, read as the models read them |
 //! | `plot.rs` | the page of curves that the two draw with `--plot` |
 //! | `vehicle_argument.rs`, `number.rs` | the vehicle that a command is about, and the numbers of options |
 //! | `error.rs` | why a command cannot answer |
@@ -21,6 +22,7 @@ mod error;
 pub mod modes;
 pub mod number;
 mod plot;
+pub mod train_files;
 mod vehicle_argument;
 
 pub use error::ToolError;

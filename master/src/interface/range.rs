@@ -22,6 +22,11 @@ impl Range {
         Self { min: bound(min, f64::MIN), max: bound(max, f64::MAX) }
     }
 
+    /// Whether a number lies in it.
+    pub fn contains(&self, number: f64) -> bool {
+        (self.min..=self.max).contains(&number)
+    }
+
     /// What lies in both.
     #[must_use]
     pub fn and(self, other: Self) -> Self {

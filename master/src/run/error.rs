@@ -9,7 +9,9 @@ use crate::report::ReportError;
 use crate::run::after::{FailedStep, StepFailure};
 use crate::run::checkpoint::CheckpointError;
 use crate::run::observe_error::ObserveError;
+use crate::scenario::Scenario;
 use crate::ssp::SspError;
+use crate::system::compile::CompileError;
 use crate::system::parallel::ThreadsError;
 use crate::system::start::StartError;
 use crate::system::unit::UnitError;
@@ -82,7 +84,24 @@ pub enum RunError {
 impl RunError {
     /// What `map_err` needs for units of the scenario in this file.
     pub(crate) fn prepare(file: &Path) -> impl FnOnce(PrepareError) -> Self + '_ {
-        move |source| Self::Prepare { file: file.display().to_string(), source: source.into() }
+        move |source| match source {
+            PrepareError::Value(mistake) => Self::Scenario(mistake),
+            source => Self::Prepare { file: file.display().to_string(), source: source.into() },
+        }
+    }
+
+    /// The same, told at the key of the scenario that a component complains of, if it names one.
+    pub(crate) fn at_key(self, scenario: &Scenario) -> Self {
+        let unit = match &self {
+            Self::Start(StartError::Unit(unit)) => unit,
+            Self::Prepare { source, .. } => match &**source {
+                PrepareError::Unit(unit) | PrepareError::Compile(CompileError::Unit(unit)) => unit,
+                _ => return self,
+            },
+            _ => return self,
+        };
+        let message = unit.last_message.as_deref().unwrap_or_default();
+        scenario.blamed(&unit.instance, message).map_or(self, Self::Scenario)
     }
 
     /// A step that failed, in a run whose results are in this folder.

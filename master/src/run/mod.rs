@@ -13,12 +13,14 @@
 //! | `progress.rs`, `live.rs` | the progress bar |
 //! | `stop.rs` | whether the run is to stop before its end |
 //! | `export.rs`, `sources.rs` | a scenario's train as a package |
+//! | `check_until_start.rs` | a run up to its first step |
 //! | `wiring.rs` | what would be run, without running it |
 //! | `folder/` | the folder of a run: claimed, and completed after any end |
 //! | `workplace.rs`, `error.rs` | threads and name of a run, and why it failed |
 
 mod after;
 mod begun;
+mod check_until_start;
 mod checkpoint;
 pub mod error;
 pub mod expected;
@@ -51,6 +53,7 @@ mod after_tests;
 
 use std::path::{Path, PathBuf};
 
+pub use check_until_start::check_until_start;
 use checkpoint::{Beginning, CheckpointError, Checkpoints, Order, Subject};
 use error::RunError;
 pub use export::{Exported, export};
@@ -60,6 +63,7 @@ pub use manifest::{End, Ended};
 pub use options::Options;
 use perform::perform;
 use setup::Setup;
+pub use source::is_system;
 pub use stop::{PARENT_GONE, Stopped, signal_name};
 pub use wiring::wiring;
 use workplace::Workplace;
@@ -98,7 +102,7 @@ fn run_or_resume(
     begin: fn(&Order) -> Result<Beginning, CheckpointError>,
 ) -> Result<Finished, RunError> {
     let Subject { path, written } = subject;
-    if source::is_system(path) {
+    if is_system(path) {
         RunError::check_no_settings(&options.settings)?;
         let workplace = Workplace::open(options.threads)?;
         // With one thread all that an FMU sees, from loading to freeing, happens on it.

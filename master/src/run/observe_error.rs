@@ -1,5 +1,7 @@
 //! Why recording failed.
 
+use files::Mistake;
+
 use crate::recording::RecordingError;
 use crate::system::unit::UnitError;
 
@@ -21,16 +23,8 @@ pub enum ObserveError {
 #[derive(Debug, thiserror::Error)]
 pub enum OutputsError {
     /// No vehicle has such an output.
-    #[error(
-        "record.outputs: no Real output of vehicles {vehicles:?} has the name \"{pattern}\"; \
-         `hotfoot interface FILE.fmu` lists what an FMU has"
-    )]
-    None {
-        /// The name, as the scenario has it.
-        pattern: String,
-        /// Numbers of the recorded vehicles.
-        vehicles: Vec<usize>,
-    },
+    #[error(transparent)]
+    None(Mistake),
     /// Two vehicles have it in two units.
     #[error(
         "record.outputs: \"{name}\" is in \"{unit}\" in vehicle {vehicle}, but in \"{other}\" in one \

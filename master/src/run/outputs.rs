@@ -2,25 +2,29 @@
 
 use std::path::Path;
 
+use files::{Check, Mistake, did_you_mean};
+
 use super::observe_error::{ObserveError, OutputsError};
 use super::step_table::{StepTable, signals};
 use crate::interface::name_pattern::matches;
 use crate::interface::{Interface, Variable, VariableType};
 use crate::recording::{Column, SeriesWriter, vehicle_keys_of};
+use crate::scenario::Scenario;
 use crate::system::step::System;
 use crate::train::layout::VehicleHolder;
 
 /// The table `outputs`: a row for each of these vehicles, with their numbers from one, and a column for
-/// each output; outputs that a vehicle lacks are not-a-number there. None if no output is wanted.
+/// each output that the scenario names; outputs that a vehicle lacks are not-a-number there. None if no output is wanted.
 ///
 /// # Errors
 /// When a name fits no output, or the folder cannot be written.
 pub fn table(
-    patterns: &[String],
+    scenario: &Scenario,
     recorded: &[(usize, &VehicleHolder)],
     system: &mut System,
     (folder, per_part): (&Path, usize),
 ) -> Result<Option<StepTable>, ObserveError> {
+    let patterns = &scenario.record.outputs;
     if patterns.is_empty() || recorded.is_empty() {
         return Ok(None);
     }
@@ -29,7 +33,7 @@ pub fn table(
         Some((*number, system.parts[part].unit.interface()))
     };
     let interfaces: Vec<_> = recorded.iter().filter_map(interface).collect();
-    let columns = columns(patterns, &interfaces)?;
+    let columns = columns(patterns, &interfaces, &scenario.check())?;
     let mut row = |(_, holder): &(usize, &VehicleHolder)| {
         let tap = |column: &Column| system.tap(&holder.component, column.name());
         signals(columns.iter().map(tap).collect(), f64::NAN)
@@ -45,6 +49,7 @@ pub fn table(
 fn columns(
     patterns: &[String],
     vehicles: &[(usize, &Interface)],
+    check: &Check,
 ) -> Result<Vec<Column>, OutputsError> {
     let mut columns: Vec<Column> = vec![];
     let mut fitting = vec![false; patterns.len()];
@@ -65,11 +70,33 @@ fn columns(
     }
     match fitting.iter().position(|fits| !fits) {
         None => Ok(columns),
-        Some(lonely) => Err(OutputsError::None {
-            pattern: patterns[lonely].clone(),
-            vehicles: vehicles.iter().map(|(number, _)| *number).collect(),
-        }),
+        Some(lonely) => {
+            Err(OutputsError::None(no_output(lonely, &patterns[lonely], vehicles, check)))
+        }
     }
+}
+
+/// The mistake of the name with this index that fits no output of these vehicles.
+fn no_output(
+    index: usize,
+    pattern: &str,
+    vehicles: &[(usize, &Interface)],
+    check: &Check,
+) -> Mistake {
+    let outputs = vehicles.iter().flat_map(|(_, interface)| interface.variables());
+    let outputs = outputs.filter(|v| v.causality == "output" && v.kind == VariableType::Real);
+    // With a star in front, the end of a name is what was meant.
+    let names: Vec<String> = match pattern.strip_prefix("*.") {
+        None => outputs.map(|output| output.name.clone()).collect(),
+        Some(_) => outputs
+            .map(|output| format!("*.{}", output.name.rsplit('.').next().unwrap_or_default()))
+            .collect(),
+    };
+    let meant = did_you_mean(pattern, names.iter().map(String::as_str));
+    let numbers =
+        vehicles.iter().map(|(number, _)| number.to_string()).collect::<Vec<_>>().join(", ");
+    let wanted = format!("no output of the recorded vehicles {numbers} has this name{meant}");
+    check.error(&format!("record.outputs[{}]", index + 1), format!("\"{pattern}\""), wanted)
 }
 
 /// Adds the column of an output, unless it is there.

@@ -51,11 +51,10 @@ fn start(
     quiet: bool,
     beginning: &mut Beginning,
 ) -> Result<Started, RunError> {
-    let (steps, stop, rails_end) = (setup.steps, setup.stop, setup.rails_end());
+    let (steps, stop) = (setup.steps, setup.stop);
     setup.check_states(beginning)?;
     setup.manifest.write(results)?;
-    let Setup { system, rails, .. } = setup;
-    system.initialize(|part| if rails.contain(part) { rails_end } else { stop })?;
+    setup.initialize()?;
     let mut recorder = setup.recorder(&results.join("series"))?;
     let live = setup.live_figures();
     setup.describe()?;

@@ -46,8 +46,9 @@ pub fn setup(
     folders: &Folders,
     threads: usize,
 ) -> Result<Setup, RunError> {
-    let train = placed(&scenario, file, folders)?;
-    let system = train.system().map_err(RunError::prepare(file))?;
+    let at_key = |error: RunError| error.at_key(&scenario);
+    let train = placed(&scenario, file, folders).map_err(at_key)?;
+    let system = train.system().map_err(RunError::prepare(file)).map_err(at_key)?;
     let TrainSystem { structure, layout, .. } = train;
     let steps = (scenario.duration_s / scenario.step_s).round() as u64;
     let traffic = scenario.heat.as_ref().map(Traffic::of).unwrap_or_default();

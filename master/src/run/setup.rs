@@ -68,6 +68,20 @@ impl Setup {
         self.rails.traffic.end(self.rails_run())
     }
 
+    /// Initialises the units.
+    ///
+    /// # Errors
+    /// When one refuses, or the initial values do not settle.
+    pub fn initialize(&mut self) -> Result<(), RunError> {
+        let (stop, rails_end) = (self.stop, self.rails_end());
+        let Self { system, rails, subject, .. } = self;
+        let done = system.initialize(|part| if rails.contain(part) { rails_end } else { stop });
+        done.map_err(RunError::from).map_err(|error| match subject {
+            Subject::Train(scenario, _) => error.at_key(scenario),
+            Subject::Package(_) => error,
+        })
+    }
+
     /// Begins the series in `folder`.
     ///
     /// # Errors

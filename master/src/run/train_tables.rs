@@ -45,7 +45,7 @@ pub fn recorder(
         .filter_map(|&number| Some((number, layout.vehicles.get(number - 1)?)))
         .collect();
     tables.extend(wheel_table(&recorded, system, series)?);
-    tables.extend(outputs::table(&scenario.record.outputs, &recorded, system, series)?);
+    tables.extend(outputs::table(scenario, &recorded, system, series)?);
     let of_train: Vec<usize> = system.number(&layout.train).into_iter().collect();
     let of_rails: Vec<usize> =
         layout.rails.iter().filter_map(|rail| system.number(&rail.component)).collect();

@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use files::{Check, Mistake};
+use files::{Check, Mistake, did_you_mean};
 use garde::Validate;
 
+use super::extent::Extent;
 use super::file::Scenario;
 use super::fmus::OnFailure;
 
@@ -19,6 +20,7 @@ pub fn check(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     check_vehicles(scenario, check)?;
     check_failures(scenario, check)?;
     check_train_alone(scenario, check)?;
+    check_probes(scenario, check)?;
     check_times(scenario, check)
 }
 
@@ -104,6 +106,50 @@ fn check_train_alone(scenario: &Scenario, check: &Check) -> Result<(), Mistake> 
                   train_alone";
     let none = fmus.vehicle.is_none() && fmus.vehicle_at.is_empty();
     check.ensure(none, "train_alone", true, wanted)
+}
+
+/// Probes lie on the modelled rail.
+fn check_probes(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
+    let Some(heat) = &scenario.heat else { return Ok(()) };
+    let Extent { begin, length } = Extent::of(scenario, heat);
+    let end = begin + length;
+    let wanted = format!(
+        "must lie on the modelled rail, from {begin} m to {end} m (heat.begin_m, heat.length_m)"
+    );
+    // Its own parameters may move the rail.
+    let is_moved =
+        ["track.begin", "track.length"].iter().any(|name| heat.parameters.contains_key(*name));
+    for (i, probe) in heat.probe.iter().enumerate() {
+        let chainage = probe.chainage_m;
+        let possible = is_moved || (begin..=end).contains(&chainage);
+        check.element("heat.probe", i).ensure(possible, "chainage_m", chainage, &wanted)?;
+    }
+    Ok(())
+}
+
+/// The types of the vehicles are in the library of the scenario, whose path is absolute.
+pub fn check_types(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
+    let folder = scenario.stock.join("vehicles");
+    let wanted = "is no rolling-stock library: it has no folder `vehicles`";
+    check.ensure(folder.is_dir(), "stock", scenario.stock.display(), wanted)?;
+    let mut known: Vec<String> = std::fs::read_dir(&folder)
+        .into_iter()
+        .flatten()
+        .filter_map(|file| Some(file.ok()?.file_name().to_str()?.strip_suffix(".toml")?.to_owned()))
+        .collect();
+    known.sort();
+    for (i, group) in scenario.train.vehicles.iter().enumerate() {
+        let meant = did_you_mean(&group.kind, known.iter().map(String::as_str));
+        let wanted = format!("there is no vehicle of this name in {}{meant}", folder.display());
+        let check = check.element("train.vehicles", i);
+        check.ensure(
+            known.contains(&group.kind),
+            "type",
+            format!("\"{}\"", group.kind),
+            &wanted,
+        )?;
+    }
+    Ok(())
 }
 
 /// Steps and intervals fit into each other.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use files::{Check, Document};
 use garde::Validate;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -65,6 +66,17 @@ pub struct Scenario {
     #[serde(default)]
     #[garde(dive)]
     pub record: Record,
+    /// The text that it was read from, for messages that point at a line of it.
+    #[serde(skip)]
+    #[garde(skip)]
+    pub document: Document,
+}
+
+impl Scenario {
+    /// Checks for values of its text.
+    pub fn check(&self) -> Check<'_> {
+        self.document.check()
+    }
 }
 
 /// Order of the exchange between the models (docs/user-guide, "The step").

@@ -1,12 +1,13 @@
 //! Reading a scenario file, with messages that point at the line.
 
-use std::path::{Path, PathBuf};
+use std::collections::BTreeMap;
+use std::path::{Component, Path, PathBuf};
 
 use files::{Check, Document, Mistake, Setting};
 
-use super::check::check;
+use super::check::{check, check_types};
 use super::file::Scenario;
-use super::value::Value;
+use super::value::{Value, quoted};
 
 /// The file of the scenario at `path`, which may be its folder.
 pub fn file_of(path: &Path) -> PathBuf {
@@ -43,9 +44,11 @@ pub fn load(path: &Path, settings: &[Setting]) -> Result<(Scenario, PathBuf, Str
 /// The error of a folder that holds nothing that could be run, with the scenarios below it.
 fn no_scenario(folder: &Path) -> Mistake {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let below =
-        entries.map(|entry| entry.path()).filter(|path| file_of(path).is_file() && path.is_dir());
-    let mut below: Vec<_> = below.map(|path| path.display().to_string()).collect();
+    // Those of the repository lie beside `stock` and the like.
+    let beside = std::fs::read_dir(folder.join("../scenarios")).into_iter().flatten().flatten();
+    let paths = entries.chain(beside).map(|entry| entry.path());
+    let below = paths.filter(|path| file_of(path).is_file() && path.is_dir());
+    let mut below: Vec<_> = below.map(|path| plain(&path).display().to_string()).collect();
     below.sort();
     let below = match below.as_slice() {
         [] => String::new(),
@@ -57,7 +60,7 @@ fn no_scenario(folder: &Path) -> Mistake {
 }
 
 fn read(document: &Document) -> Result<Scenario, Mistake> {
-    let scenario = document.parse()?;
+    let scenario = Scenario { document: document.clone(), ..document.parse()? };
     check(&scenario, &document.check())?;
     Ok(scenario)
 }
@@ -65,15 +68,11 @@ fn read(document: &Document) -> Result<Scenario, Mistake> {
 /// Makes the paths absolute and checks that they are there.
 fn resolve_paths(scenario: &mut Scenario, folder: &Path, check: &Check) -> Result<(), Mistake> {
     let resolve = |path: &mut PathBuf, key: &str| {
-        let full = folder.join(&*path);
-        if let Err(missing) = files::exists(&full) {
-            let wanted = format!("{} at {}", missing.sentence, full.display());
-            return Err(check.error(key, path.display(), wanted));
-        }
-        *path = full;
+        *path = there(folder, path, key, check)?;
         Ok(())
     };
     resolve(&mut scenario.stock, "stock")?;
+    check_types(scenario, check)?;
     resolve(&mut scenario.track.file, "track.file")?;
     resolve(&mut scenario.driver.file, "driver.file")?;
     for (i, path) in scenario.driver.with.iter_mut().enumerate() {
@@ -94,13 +93,70 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, check: &Check) -> Resul
             resolve(path, &format!("fmus.vehicle_at[{}].file", i + 1))?;
         }
     }
-    let of_rails = scenario.heat.iter_mut().flat_map(|heat| heat.parameters.values_mut());
-    let of_vehicles = fmus.vehicle_at.iter_mut().flat_map(|other| other.parameters.values_mut());
-    for value in of_rails.chain(of_vehicles) {
-        if let Value::Text(text) = value
-            && folder.join(&*text).is_file()
-        {
+    if let Some(heat) = &mut scenario.heat {
+        resolve_values(&mut heat.parameters, folder, &check.section("heat.parameters"))?;
+    }
+    for (i, other) in fmus.vehicle_at.iter_mut().enumerate() {
+        let check = check.element("fmus.vehicle_at", i).section("parameters");
+        resolve_values(&mut other.parameters, folder, &check)?;
+    }
+    Ok(())
+}
+
+/// The path of a file or folder that a key names, which must be there.
+fn there(folder: &Path, path: &Path, key: &str, check: &Check) -> Result<PathBuf, Mistake> {
+    let full = plain(&folder.join(path));
+    match files::exists(&full) {
+        Ok(()) => Ok(full),
+        Err(missing) => {
+            let (problem, meant) =
+                missing.sentence.split_once("; ").unwrap_or((&missing.sentence, ""));
+            let meant = if meant.is_empty() { String::new() } else { format!("; {meant}") };
+            // The folder that is missing is named already.
+            let wanted = match problem.contains("there is no folder") {
+                true => problem.to_owned(),
+                false => format!("{problem} at {}{meant}", full.display()),
+            };
+            Err(check.error(key, path.display(), wanted))
+        }
+    }
+}
+
+/// The path without `.`, and without `..` behind a name.
+fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir
+                if matches!(plain.components().next_back(), Some(Component::Normal(_))) =>
+            {
+                plain.pop();
+            }
+            part => plain.push(part),
+        }
+    }
+    plain
+}
+
+/// Ending of the names of parameters that are the paths of files.
+const FILE: &str = "_file";
+
+/// The parameter that names a file which is written.
+const WRITTEN: &str = "field_file";
+
+/// Makes texts that name files into these files; a parameter that is for a file must name one.
+fn resolve_values(
+    values: &mut BTreeMap<String, Value>,
+    folder: &Path,
+    check: &Check,
+) -> Result<(), Mistake> {
+    for (name, value) in values {
+        let Value::Text(text) = value else { continue };
+        if folder.join(&*text).is_file() {
             *value = Value::File(folder.join(&*text));
+        } else if name.ends_with(FILE) && name != WRITTEN && !text.is_empty() {
+            there(folder, Path::new(text.as_str()), &quoted(name), check)?;
         }
     }
     Ok(())

@@ -23,6 +23,14 @@ pub enum Value {
     File(PathBuf),
 }
 
+/// A name of a variable as a key: in quotes if it holds a dot or a bracket.
+pub fn quoted(name: &str) -> String {
+    match name.contains(['.', '[']) {
+        true => format!("\"{name}\""),
+        false => name.to_owned(),
+    }
+}
+
 impl Value {
     /// The number that it is, if it is one.
     pub fn number(&self) -> Option<f64> {

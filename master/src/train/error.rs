@@ -1,5 +1,7 @@
 //! Why a scenario cannot be set up.
 
+use files::Mistake;
+
 use crate::files::file_error::FileError;
 use crate::fmi::ImportError;
 use crate::fmi::pack::PackError;
@@ -53,18 +55,9 @@ pub enum PrepareError {
     /// The user names a component that is not there.
     #[error("{0}")]
     Component(String),
-    /// A parameter of an FMU is not what the scenario takes it for.
-    #[error("{key}: \"{name}\" = {value}: {problem}")]
-    Parameter {
-        /// The table of the scenario in which it stands.
-        key: String,
-        /// Its name.
-        name: String,
-        /// The scenario's value, as it stands there.
-        value: String,
-        /// What is wrong and what would be right.
-        problem: String,
-    },
+    /// A value of the scenario is not possible.
+    #[error(transparent)]
+    Value(#[from] Mistake),
     /// What the wheels do cannot be kept for further trains.
     #[error("{folder}: {source}; for heat.trains what the wheels do is kept on this disk")]
     Tape {

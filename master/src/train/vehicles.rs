@@ -47,9 +47,10 @@ impl<'a> Builder<'a> {
             for (i, other) in stated.filter(|(_, other)| other.vehicle == number) {
                 home = home.max(other.home());
                 follows = other.on_failure.map_or(follows, OnFailure::follows);
-                let key = format!("fmus.vehicle_at[{}].parameters", i + 1);
+                let check = scenario.check();
+                let check = check.element("fmus.vehicle_at", i).section("parameters");
                 for (name, value) in &other.parameters {
-                    parameters.push(parameter(import, &key, name, value)?);
+                    parameters.push(parameter(import, &check, name, value)?);
                 }
             }
             self.vehicle(import, names, parameters, (home, follows))?;

@@ -1,7 +1,7 @@
 //! What can be foreseen before the first step: wheels outside the modelled rail, which heat nothing.
 
 use super::layout::Layout;
-use super::rails::Extent;
+use crate::scenario::Extent;
 use crate::system::step::System;
 
 /// A sentence on wheels that stand outside the modelled rail at the start, and one on wheels that
@@ -31,6 +31,14 @@ fn sentences(wheels: &[(f64, f64)], extent: Extent, duration: f64) -> Vec<String
     let (tail, head) = (lowest(positions()), highest(positions()));
     let farthest = highest(ahead);
     let (begin, end) = (extent.begin, extent.begin + extent.length);
+    // Behind the rail a train may come to it; ahead of it, it does not.
+    if tail > end || farthest < begin {
+        return vec![format!(
+            "in this run no wheel comes to the modelled rail, which goes from {begin} m to {end} m \
+             (heat.begin_m, heat.length_m), and nothing is heated: at the start wheels stand from chainage \
+             {tail:.1} m to {head:.1} m, and at the speed of the start the first one comes to {farthest:.1} m"
+        )];
+    }
     let mut sentences = vec![];
     if tail < begin || head > end {
         sentences.push(format!(
@@ -68,6 +76,9 @@ mod tests {
         assert!(said(-1.0, 1.0)[0].contains("from chainage -1.0 m to -1.0 m"));
         let ahead = said(50.0, 5.1);
         assert!(ahead[0].contains("comes to chainage 101.0 m") && ahead.len() == 1, "{ahead:?}");
-        assert_eq!(said(101.0, 5.0).len(), 1, "who stands outside does not leave the rail");
+        let never = said(101.0, 5.0);
+        assert!(never[0].contains("no wheel comes to the modelled rail") && never.len() == 1);
+        assert!(said(-60.0, 5.0)[0].contains("the first one comes to -10.0 m"));
+        assert!(said(-60.0, 7.0)[0].starts_with("at the start"), "it comes there later");
     }
 }

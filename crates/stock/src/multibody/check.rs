@@ -6,12 +6,30 @@ use files::{Check, Mistake};
 pub(super) type Checked = Result<(), Mistake>;
 
 impl Multibody {
-    /// Checks the section of a vehicle that has `mass_kg` by its common data.
-    pub(crate) fn check(&self, check: &Check, mass_kg: f64) -> Checked {
+    /// Checks the section.
+    pub(crate) fn check(&self, check: &Check) -> Checked {
         let checker = Checker::new(self, check)?;
-        checker.masses(mass_kg)?;
+        checker.masses()?;
         checker.contact()?;
         checker.elements()
+    }
+
+    /// Checks the sum of the masses, kg, against that of a vehicle; `check` is that of its file.
+    pub(crate) fn check_mass(&self, check: &Check, mass_kg: f64) -> Checked {
+        let sum = self.mass();
+        let listed = |mut masses: Vec<f64>| {
+            masses.dedup();
+            masses.iter().map(|mass| format!("{mass} kg")).collect::<Vec<_>>().join(", ")
+        };
+        let bodies = listed(self.body.iter().map(|body| body.mass_kg).collect());
+        let wheelsets = listed(self.wheelset.iter().map(|wheelset| wheelset.mass_kg).collect());
+        let wanted = format!(
+            "must be {sum} kg, the sum of the {} bodies ({bodies}) and {} wheelsets ({wheelsets}) of [multibody]",
+            self.body.len(),
+            self.wheelset.len()
+        );
+        let fits = (sum - mass_kg).abs() <= 1e-6 * mass_kg;
+        check.ensure(fits, "mass_kg", mass_kg, &wanted)
     }
 }
 
@@ -44,8 +62,8 @@ impl<'a> Checker<'a> {
         Ok(Self { multibody, check, names })
     }
 
-    /// Masses, inertias and positions, and the sum of the masses against the vehicle's.
-    pub fn masses(&self, mass_kg: f64) -> Checked {
+    /// Masses, inertias and positions.
+    pub fn masses(&self) -> Checked {
         let height = self.multibody.coupler.height_m;
         self.check.between("coupler.height_m", height, 0.0, 3.0)?;
         for (i, body) in self.multibody.body.iter().enumerate() {
@@ -65,13 +83,7 @@ impl<'a> Checker<'a> {
                 return Err(check.error("x_m", wheelset.x_m, wanted));
             }
         }
-        let sum = self.multibody.mass();
-        if (sum - mass_kg).abs() <= 1e-6 * mass_kg {
-            return Ok(());
-        }
-        let wanted = format!("must add up to the vehicle's mass_kg = {mass_kg}");
-        let key = "body[..].mass_kg + wheelset[..].mass_kg";
-        Err(self.check.error(key, sum, wanted))
+        Ok(())
     }
 
     fn body(&self, body: &Body, check: &Check) -> Checked {
@@ -157,7 +169,8 @@ mod tests {
             format!("[multibody]\n{}", text.replace("[contact", "[multibody.contact")),
         );
         let file: File = document.parse().unwrap();
-        file.multibody.check(&document.check().section("multibody"), 1000.0)
+        file.multibody.check(&document.check().section("multibody"))?;
+        file.multibody.check_mass(&document.check(), 1000.0)
     }
 
     fn message(from: &str, to: &str) -> String {
@@ -174,7 +187,10 @@ mod tests {
     fn wrong_values_are_named_with_key_value_and_remedy() {
         let negative = message("900.0", "-1.0");
         assert!(negative.starts_with("v.toml:5:45: multibody.body[1].mass_kg = -1.0: must be"));
-        assert!(message("900.0", "800.0").contains("must add up to the vehicle's mass_kg = 1000"));
+        assert!(
+            message("900.0", "800.0")
+                .contains("mass_kg = 1000: must be 900 kg, the sum of the 1 bodies (800 kg)")
+        );
         assert!(message("\"frame\", \"axle\"", "\"frame\", \"axel\"").contains("axel"));
         assert!(message("[0.0, 1.0, 0.46]", "[0.0, 1.0, 0.5]").contains("act in the axle"));
         assert!(message("[0.0, 1.0, 0.46]", "").contains("at least one point"));

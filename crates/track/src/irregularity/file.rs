@@ -84,7 +84,11 @@ impl Section {
         let grid = match (&self.file, &self.spectrum) {
             (None, None) => None,
             (Some(file), None) if file.components().count() == 1 => {
-                Some(measured(&folder.join(file))?)
+                let path = folder.join(file);
+                if let Err(missing) = files::exists(&path) {
+                    return Err(check.error("file", file.display(), missing.sentence));
+                }
+                Some(measured(&path)?)
             }
             (Some(file), None) => {
                 let wanted = "must be the name of a file in the folder of the track file";

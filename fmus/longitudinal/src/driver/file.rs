@@ -1,6 +1,6 @@
 //! The driver file.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use files::{Check, Document, Mistake};
 use serde::Deserialize;
@@ -38,20 +38,33 @@ fn yes() -> bool {
 }
 
 impl Driver {
-    /// Reads a driver file.
+    /// Reads a driver file; the file of a logger lies beside it.
     ///
     /// # Errors
     /// When the file cannot be read or a value in it is not possible.
     pub fn from_file(file: &Path) -> Result<Self, Mistake> {
+        Self::from_files(file, &[])
+    }
+
+    /// Reads a driver file and the files that it names, which are among `others` or lie beside it.
+    ///
+    /// # Errors
+    /// When a file cannot be read or a value in it is not possible.
+    pub fn from_files(file: &Path, others: &[PathBuf]) -> Result<Self, Mistake> {
         let document = Document::read(file)?;
         let content: DriverFile = document.parse()?;
         let check = document.check();
+        let folder = file.parent().unwrap_or(Path::new(""));
+        let find = |name: &str| {
+            let named = others.iter().find(|other| other.file_name() == Some(name.as_ref()));
+            named.cloned().unwrap_or_else(|| folder.join(name))
+        };
         let numbered = |section: &str, i: usize| check.section(&format!("{section}[{}]", i + 1));
         let profiles = content.profile.iter().enumerate();
         let remotes = content.remote.iter().enumerate();
         Ok(Self {
             initially_applied: content.initially_applied,
-            kind: content.kind(&check, file.parent().unwrap_or(Path::new("")))?,
+            kind: content.kind(&check, &find)?,
             profiles: profiles
                 .map(|(i, profile)| profile.compile(&numbered("profile", i)))
                 .collect::<Result<_, _>>()?,
@@ -62,8 +75,27 @@ impl Driver {
     }
 }
 
+/// A mistake in a remote group of a driver file, if the groups of the train, from 0, lack it.
+///
+/// # Errors
+/// When the file cannot be read, or names such a group.
+pub fn check_groups(file: &Path, groups: &[usize]) -> Result<(), Mistake> {
+    let document = Document::read(file)?;
+    let content: DriverFile = document.parse()?;
+    for (i, remote) in content.remote.iter().enumerate() {
+        let listed = groups.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+        let wanted = format!(
+            "no vehicle of the train has this group, but only {listed}; give it to the remote locomotives by \
+             train.vehicles[..].group"
+        );
+        let known = groups.contains(&remote.group);
+        document.check().element("remote", i).ensure(known, "group", remote.group, &wanted)?;
+    }
+    Ok(())
+}
+
 impl DriverFile {
-    fn kind(&self, check: &Check, folder: &Path) -> Result<Kind, Mistake> {
+    fn kind(&self, check: &Check, find: &dyn Fn(&str) -> PathBuf) -> Result<Kind, Mistake> {
         let sections = [
             ("command", !self.command.is_empty()),
             ("cruise", self.cruise.is_some()),
@@ -93,7 +125,9 @@ impl DriverFile {
             return Ok(Kind::Fuzzy(Fuzzy { rules: rules.clone(), speed: speed()?, levers }));
         }
         if let Some(replay) = &self.replay {
-            return Ok(Kind::Replay(replay.compile(&check.section("replay"), folder)?));
+            return Ok(Kind::Replay(
+                replay.compile(&check.section("replay"), &find(&replay.file))?,
+            ));
         }
         Ok(Kind::Schedule(Schedule::compile(&self.command, check)?))
     }

@@ -27,6 +27,8 @@ pub mod view;
 
 use crate::command::Command;
 
+pub use file::check_groups;
+
 use cruise::Cruise;
 use fuzzy::Fuzzy;
 use profile::Profile;
@@ -64,6 +66,26 @@ impl Driver {
     /// A driver who follows a schedule.
     pub fn with_schedule(schedule: Schedule) -> Self {
         Self { initially_applied: true, kind: Kind::Schedule(schedule), ..Self::default() }
+    }
+
+    /// Whether it opens the throttle at some time, or may do so to keep a speed.
+    pub fn pulls(&self) -> bool {
+        let by_kind = match &self.kind {
+            Kind::Schedule(schedule) => schedule.pulls(),
+            Kind::Cruise(_) | Kind::Fuzzy(_) => true,
+            Kind::Replay(replay) => replay.pulls(),
+        };
+        by_kind
+            || self.profiles.iter().any(Profile::pulls)
+            || self.remotes.iter().any(Remote::pulls)
+    }
+
+    /// For how long a logger has recorded what this driver repeats, s; none for other drivers.
+    pub fn recorded_time(&self) -> Option<f64> {
+        match &self.kind {
+            Kind::Replay(replay) => Some(replay.length()),
+            _ => None,
+        }
     }
 
     /// Number of the last group of locomotives with a delay or commands of its own; 0 for none.

@@ -56,7 +56,7 @@ impl ProfileFile {
         };
         let greatest = if self.lever == Lever::TrainBrake { EMERGENCY } else { 1.0 };
         for (i, &value) in self.value.iter().enumerate() {
-            check.between(&format!("value[{}]", i + 1), value, 0.0, greatest)?;
+            check.share(&format!("value[{}]", i + 1), value, greatest)?;
         }
         check.rising(key, x)?;
         let table = LinearTable::new(x.clone(), self.value.clone())
@@ -66,6 +66,11 @@ impl ProfileFile {
 }
 
 impl Profile {
+    /// Whether it opens the throttle at some time.
+    pub(super) fn pulls(&self) -> bool {
+        self.lever == Lever::Throttle && self.table.y().iter().any(|value| *value > 0.0)
+    }
+
     /// Moves the lever to where the table has it.
     pub(super) fn apply(&self, command: &mut Command, view: &View) {
         let at = if self.by_time { view.time } else { view.chainage };

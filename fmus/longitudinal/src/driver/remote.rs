@@ -29,7 +29,7 @@ pub(super) struct Remote {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RemoteFile {
-    group: usize,
+    pub(super) group: usize,
     #[serde(default)]
     delay_s: f64,
     #[serde(default)]
@@ -77,6 +77,11 @@ impl RadioState {
 }
 
 impl Remote {
+    /// Whether it pulls at some time by commands of its own.
+    pub(super) fn pulls(&self) -> bool {
+        self.own.as_ref().is_some_and(Schedule::pulls)
+    }
+
     /// The command of the remote group with the index `i`.
     pub(super) fn command(&self, radio: &mut RadioState, i: usize, view: &View) -> Command {
         let (received, reached) = &mut radio.received[i];

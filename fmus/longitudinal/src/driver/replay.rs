@@ -51,7 +51,7 @@ enum Column {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ReplayFile {
-    file: String,
+    pub(super) file: String,
     time: String,
     speed: String,
     #[serde(default)]
@@ -106,16 +106,19 @@ fn highest_notch() -> f64 {
 }
 
 impl ReplayFile {
-    pub(super) fn compile(&self, check: &Check, folder: &Path) -> Result<Replay, Mistake> {
-        let document = Document::read(&folder.join(&self.file))?;
+    pub(super) fn compile(&self, check: &Check, file: &Path) -> Result<Replay, Mistake> {
+        if let Err(missing) = files::exists(file) {
+            return Err(check.error("file", &self.file, missing.sentence));
+        }
+        let document = Document::read(file)?;
         let log = Table::new(&document)?;
         let column = |key: &str, name: &str| match log.column(name) {
             Some(column) => Ok(column),
             None => {
-                let names: Vec<&str> = log.names().collect();
-                let meant = did_you_mean(name, names.iter().copied());
+                let meant = did_you_mean(name, log.names());
+                let names = log.names().collect::<Vec<_>>().join(", ");
                 let file = document.name();
-                let wanted = format!("{file} has no column of this name, but {names:?}{meant}");
+                let wanted = format!("{file} has no column of this name, but {names}{meant}");
                 Err(check.error(key, name, wanted))
             }
         };
@@ -123,7 +126,7 @@ impl ReplayFile {
             (0..log.len()).map(|row| log.number(row, column)).collect::<Result<Vec<f64>, _>>()
         };
         let time = column("time", &self.time)?;
-        let mut times = numbers(time)?;
+        let mut times = seconds(&log, time)?;
         let start = times[0];
         times.iter_mut().for_each(|time| *time -= start);
         self.check_times(&times, &log, time)?;
@@ -143,8 +146,7 @@ impl ReplayFile {
             let column = column(key, name)?;
             let values: Vec<f64> = numbers(column)?.into_iter().map(|value| value / full).collect();
             if let Some(i) = values.iter().position(|value| !(0.0..=most).contains(value)) {
-                let wanted = format!("must lie between 0 and {}", most * full);
-                return Err(log.error(i, column, wanted));
+                return Err(log.error(i, column, outside(key, full, most, times[i] + start)));
             }
             match self.resample {
                 Resample::Hold => Ok(Column::Hold(values)),
@@ -177,12 +179,13 @@ impl ReplayFile {
         for i in 1..times.len() {
             let gap = times[i] - times[i - 1];
             if gap <= 0.0 {
-                let wanted = "goes back: it must be later than the time before it";
+                let wrong = if gap < 0.0 { "goes back" } else { "is equal" };
+                let wanted = format!("{wrong}: must be later than the time in the row before it");
                 return Err(log.error(i, column, wanted));
             }
             if gap > self.longest_gap_s {
                 let wanted = format!(
-                    "a gap of {gap} s before this row is longer than longest_gap_s = {}",
+                    "a gap of {gap} s before this row is longer than longest_gap_s = {} s of the driver's file",
                     self.longest_gap_s
                 );
                 return Err(log.error(i, column, wanted));
@@ -192,7 +195,44 @@ impl ReplayFile {
     }
 }
 
+/// The times in a column, s.
+fn seconds(log: &Table, column: usize) -> Result<Vec<f64>, Mistake> {
+    let clock = |row: usize| {
+        log.text(row, column)
+            .contains(':')
+            .then(|| log.error(row, column, "must be a number of seconds, not a time of day"))
+    };
+    let second = |row| log.number(row, column).map_err(|mistake| clock(row).unwrap_or(mistake));
+    (0..log.len()).map(second).collect()
+}
+
+/// What is right for a lever's column at a time in the file, s.
+fn outside(lever: &str, full: f64, most: f64, time: f64) -> String {
+    let pressure = match lever.ends_with("_brake") {
+        true => "; a pressure is no command: the column must rise with the application",
+        false => "",
+    };
+    format!(
+        "must lie between 0 and {} (at {time} s), as replay.{lever}_full = {full} is the whole of it{pressure}",
+        most * full
+    )
+}
+
 impl Replay {
+    /// Time from the first row to the last one, s.
+    pub(super) fn length(&self) -> f64 {
+        self.times.last().copied().unwrap_or_default()
+    }
+
+    /// Whether the throttle is opened at some time.
+    pub(super) fn pulls(&self) -> bool {
+        match &self.throttle {
+            Column::Zero => false,
+            Column::Hold(values) => values.iter().any(|value| *value > 0.0),
+            Column::Linear(table) => table.y().iter().any(|value| *value > 0.0),
+        }
+    }
+
     /// The measured speed at a time, m/s.
     pub(super) fn speed(&self, time: f64) -> f64 {
         self.speed.value(time, &mut 0)

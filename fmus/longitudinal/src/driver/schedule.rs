@@ -71,6 +71,11 @@ impl Schedule {
         Ok(Self { entries: compiled })
     }
 
+    /// Whether a command has a notch.
+    pub(super) fn pulls(&self) -> bool {
+        self.entries.iter().any(|(_, command)| command.notch > 0.0)
+    }
+
     /// The command that holds; `reached` is the number of commands whose time or chainage has come.
     pub fn command(&self, reached: &mut usize, time: f64, chainage: f64) -> Command {
         while let Some((begin, _)) = self.entries.get(*reached) {
@@ -125,7 +130,7 @@ impl Entry {
         let notch = match (self.notch, self.throttle) {
             (notch, None) => notch.unwrap_or_default(),
             (None, Some(throttle)) => {
-                check.between("throttle", throttle, 0.0, 1.0)?;
+                check.share("throttle", throttle, 1.0)?;
                 throttle * HIGHEST_NOTCH
             }
             (Some(notch), Some(_)) => {
@@ -133,9 +138,9 @@ impl Entry {
             }
         };
         check.between("notch", notch, 0.0, HIGHEST_NOTCH)?;
-        check.between("dynamic_brake", self.dynamic_brake, 0.0, 1.0)?;
-        check.between("train_brake", self.train_brake, 0.0, EMERGENCY)?;
-        check.between("locomotive_brake", self.locomotive_brake, 0.0, 1.0)?;
+        check.share("dynamic_brake", self.dynamic_brake, 1.0)?;
+        check.share("train_brake", self.train_brake, EMERGENCY)?;
+        check.share("locomotive_brake", self.locomotive_brake, 1.0)?;
         if notch > 0.0 && self.dynamic_brake > 0.0 {
             let wanted = "must be zero in a command with a notch";
             return Err(check.error("dynamic_brake", self.dynamic_brake, wanted));

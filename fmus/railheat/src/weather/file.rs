@@ -74,8 +74,8 @@ impl WeatherFile {
     ///
     /// # Errors
     /// When it cannot be read, has a gap or an absurd value.
-    pub fn open(path: &Path) -> Result<Self, WeatherFileError> {
-        Ok(Self::of(&Document::read(path)?)?)
+    pub fn open(path: &Path) -> Result<Self, Mistake> {
+        Self::of(&Document::read(path)?)
     }
 
     /// Reads the text of a file; `name` stands in the error messages.

@@ -1,4 +1,12 @@
-//! `hotfoot check`: an FMU against the rules of FMI 2.0, for a role, and against its reference result.
+//! `hotfoot check`: a scenario with all its files, or an FMU.
+//!
+//! An FMU is checked against the rules of FMI 2.0, for a role, and against its reference result.
+//!
+//! | file | part |
+//! |---|---|
+//! | `scenario_files.rs` | the files of a scenario |
+
+pub mod scenario_files;
 
 use std::path::{Path, PathBuf};
 
@@ -10,14 +18,15 @@ use hotfoot::check::{self, Severity, rules};
 use hotfoot::roles;
 
 use crate::output::print;
+use crate::run::default_fmus;
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
 /// Arguments of `hotfoot check`.
 #[derive(Args)]
 pub struct CheckArguments {
-    /// FMU
-    #[arg(required_unless_present = "rules")]
+    /// Scenario: its folder or file, which is checked up to the first step of its run; or an FMU
+    #[arg(value_name = "SCENARIO|FMU", required_unless_present = "rules")]
     fmu: Option<PathBuf>,
     /// Also say whether the FMU can fill this role in the train, and what it lacks
     #[arg(long = "as", value_enum)]
@@ -25,6 +34,9 @@ pub struct CheckArguments {
     /// Also run the reference result that the FMU carries, and compare
     #[arg(long)]
     replay: bool,
+    /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
+    #[arg(long)]
+    fmus: Option<PathBuf>,
     /// List the rules for a modelDescription.xml and do nothing else
     #[arg(long)]
     rules: bool,
@@ -67,7 +79,24 @@ pub fn check(arguments: &CheckArguments) -> Result<u8> {
     }
     let Some(fmu) = &arguments.fmu else { return Ok(0) };
     files::exists(fmu)?;
+    if fmu.is_dir() || fmu.extension().is_some_and(|extension| extension == "toml") {
+        return check_scenario(fmu, arguments);
+    }
     command_in_child(&arguments.limits, || check_here(fmu, arguments))
+}
+
+/// Checks a scenario: first the files in this process, then all that FMUs say up to the first step.
+fn check_scenario(path: &Path, arguments: &CheckArguments) -> Result<u8> {
+    let (scenario, file, _) = hotfoot::scenario::load(path, &[])?;
+    let notes = scenario_files::check(&scenario)?;
+    command_in_child(&arguments.limits, || {
+        let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
+        let check_until_startn = hotfoot::run::check_until_start(&file, &fmus)?;
+        for note in notes.iter().chain(&check_until_startn) {
+            print(format_args!("note: {note}"))?;
+        }
+        print(format_args!("{}: can be run", file.display()))
+    })
 }
 
 fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {

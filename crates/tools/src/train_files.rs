@@ -1,0 +1,103 @@
+//! The files of a train and its line, read and checked by the models that a run gives them to.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use files::{Check, Mistake};
+use longitudinal::driver::{Driver, check_groups};
+use railheat::section::RailFile;
+use railheat::weather::WeatherFile;
+use stock::Library;
+use track::TrackFile;
+
+/// The files of a train and its line.
+#[derive(Debug)]
+pub struct TrainFiles<'a> {
+    /// Folder of the rolling-stock library.
+    pub stock: &'a Path,
+    /// Names of the types of its vehicles, each with the group of locomotives whose commands it follows.
+    pub vehicles: Vec<(&'a str, usize)>,
+    /// Track file.
+    pub track: &'a Path,
+    /// Driver file.
+    pub driver: &'a Path,
+    /// Files that the driver file may name.
+    pub with: &'a [PathBuf],
+    /// Time for which the train runs, s.
+    pub duration: f64,
+}
+
+impl TrainFiles<'_> {
+    /// Reads and checks all of them; gives what is possible and yet hardly meant, in sentences.
+    ///
+    /// # Errors
+    /// When one cannot be read or has a value that is not possible.
+    pub fn check(&self) -> Result<Vec<String>, Mistake> {
+        check_track(self.track)?;
+        let has_traction = self.check_vehicles()?;
+        self.check_driver(has_traction)
+    }
+
+    /// Checks vehicles and draft gears; says whether one of the vehicles has traction.
+    fn check_vehicles(&self) -> Result<bool, Mistake> {
+        let library = Library::open(self.stock)?;
+        let types: BTreeSet<&str> = self.vehicles.iter().map(|(kind, _)| *kind).collect();
+        let mut has_traction = false;
+        for kind in types {
+            let vehicle = library.vehicle(kind)?;
+            library.draft_gears_of(kind, &vehicle)?;
+            has_traction |= vehicle.traction.is_some();
+        }
+        Ok(has_traction)
+    }
+
+    fn check_driver(&self, has_traction: bool) -> Result<Vec<String>, Mistake> {
+        let driver = Driver::from_files(self.driver, self.with)?;
+        let groups: BTreeSet<usize> = self.vehicles.iter().map(|(_, group)| *group).collect();
+        check_groups(self.driver, &groups.into_iter().collect::<Vec<_>>())?;
+        let (file, duration) = (self.driver.display(), self.duration);
+        let mut notes = vec![];
+        if driver.pulls() && !has_traction {
+            notes.push(format!(
+                "{file}: the throttle does nothing, since no vehicle has [traction]"
+            ));
+        }
+        if let Some(end) = driver.recorded_time().filter(|end| *end < duration) {
+            notes.push(format!(
+                "{file}: the record that it replays ends after {end} s, the run after {duration} s; the last row \
+                 is held"
+            ));
+        }
+        Ok(notes)
+    }
+}
+
+/// Reads and checks a track file and the file with irregularities that it may name.
+fn check_track(file: &Path) -> Result<(), Mistake> {
+    let file = TrackFile::read(file)?;
+    file.track()?;
+    file.irregularity()?;
+    file.support()?;
+    file.friction().map(|_| ())
+}
+
+/// Reads and checks a file of the weather.
+///
+/// # Errors
+/// When it cannot be read or has a value that is not possible.
+pub fn check_weather(file: &Path) -> Result<(), Mistake> {
+    WeatherFile::open(file).map(|_| ())
+}
+
+/// Reads and checks a rail section by its name or file, which stands as the value of a key.
+///
+/// # Errors
+/// When there is no such section, or a value in its file is not possible.
+pub fn check_rail(name: &str, check: &Check, key: &str) -> Result<(), Mistake> {
+    let is_file = Path::new(name).is_file();
+    match RailFile::open(name) {
+        Ok(_) => Ok(()),
+        Err(mistake) if is_file => Err(mistake),
+        Err(mistake) => Err(check.error(key, format!("\"{name}\""), mistake.sentence)),
+    }
+}
