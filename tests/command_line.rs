@@ -83,7 +83,7 @@ fn a_missing_file_is_named_with_its_key() {
     scenario.text = scenario.text.replace("\"track.toml\"", "\"trck.toml\"");
     assert_says(
         &refusal(&scenario.run(&[])),
-        &["track.file", "trck.toml", "there is no such file; did you mean `track.toml`?"],
+        &["track.file", "trck.toml", "there is no such file", "did you mean `track.toml`?"],
     );
 }
 

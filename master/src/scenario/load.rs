@@ -273,7 +273,7 @@ file = "driver.toml"
     fn a_file_that_is_not_there_is_answered_with_its_key_and_the_one_that_is_meant() {
         let folder = tempfile::tempdir().unwrap();
         let stock = folder.path().join("stock");
-        std::fs::create_dir(&stock).unwrap();
+        std::fs::create_dir_all(stock.join("vehicles")).unwrap();
         for file in ["track.toml", "driver.toml"] {
             std::fs::write(folder.path().join(file), "").unwrap();
         }
@@ -285,6 +285,7 @@ file = "driver.toml"
         std::fs::write(&file, text.replace("track.toml", "trak.toml")).unwrap();
         let message = load(folder.path(), &[]).unwrap_err().to_string();
         assert!(message.contains("scenario.toml:11:8: track.file = \"trak.toml\": "), "{message}");
-        assert!(message.contains("there is no such file; did you mean `track.toml`?"), "{message}");
+        assert!(message.contains("there is no such file at "), "{message}");
+        assert!(message.contains("; did you mean `track.toml`?"), "{message}");
     }
 }

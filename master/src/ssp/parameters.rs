@@ -63,11 +63,12 @@ fn text_of(
 /// The parameters of an element ParameterSet.
 fn parameter_set(file: &XmlFile<'_>, set: Node<'_, '_>) -> Result<Vec<Parameter>, SspError> {
     let units = units(file, set)?;
-    listed(set, "Parameters", "Parameter").map(|node| parameter(file, node, &units)).collect()
+    listed(set, "Parameters", "Parameter").map(|node| parameter(file, set, node, &units)).collect()
 }
 
 fn parameter(
     file: &XmlFile<'_>,
+    set: Node<'_, '_>,
     node: Node<'_, '_>,
     units: &HashMap<String, SiUnit>,
 ) -> Result<Parameter, SspError> {
@@ -84,9 +85,10 @@ fn parameter(
         "Integer" => Value::Integer(file.value(typed, "value")?.ok_or_else(missing)?),
         "Boolean" => Value::Boolean(boolean(file, typed)?),
         "String" => Value::Text(file.required(typed, "value")?.to_owned()),
+        "Enumeration" => Value::Integer(enumeration(file, set, typed)?),
         other => {
             let message = format!(
-                "parameter '{name}' is of type {other}; Hotfoot sets Real, Integer, Boolean and String"
+                "parameter '{name}' is of type {other}; Hotfoot sets Real, Integer, Boolean, String and Enumeration"
             );
             return Err(file.wrong(typed, message));
         }
@@ -103,6 +105,39 @@ fn boolean(file: &XmlFile<'_>, node: Node<'_, '_>) -> Result<bool, SspError> {
         "false" | "0" => Ok(false),
         other => Err(file.wrong(node, format!("value=\"{other}\" must be true or false"))),
     }
+}
+
+/// The number of an item of an enumeration, which is given by its name; some tools write the number.
+fn enumeration(
+    file: &XmlFile<'_>,
+    set: Node<'_, '_>,
+    typed: Node<'_, '_>,
+) -> Result<i32, SspError> {
+    let value = file.required(typed, "value")?;
+    if let Ok(number) = value.parse() {
+        return Ok(number);
+    }
+    let mut names = vec![];
+    let stated = typed.attribute("name");
+    for enumeration in listed(set, "Enumerations", "Enumeration") {
+        if stated.is_some_and(|stated| enumeration.attribute("name") != Some(stated)) {
+            continue;
+        }
+        for item in children(enumeration, "Item") {
+            let name = file.required(item, "name")?;
+            if name == value {
+                let missing = || file.wrong(item, "an item of an enumeration lacks its value");
+                return file.value(item, "value")?.ok_or_else(missing);
+            }
+            names.push(name);
+        }
+    }
+    let message = if names.is_empty() {
+        format!("value=\"{value}\" names an item, but the parameter set declares no enumeration of it")
+    } else {
+        format!("value=\"{value}\" is no item of the enumeration, which has {}", names.join(", "))
+    };
+    Err(file.wrong(typed, message))
 }
 
 /// The parameters that a mapping takes over, under its names and with its transformations.

@@ -142,6 +142,35 @@ fn start_values_come_from_the_structure_from_files_and_through_mappings() {
 }
 
 #[test]
+fn an_item_of_an_enumeration_is_given_by_its_name_or_number() {
+    let value = |attributes: &str| {
+        let bindings = format!(
+            r#"<ssd:ParameterBindings><ssd:ParameterBinding><ssd:ParameterValues>
+            <ssv:ParameterSet {NAMESPACES} version="1.0" name="s"><ssv:Parameters>
+            <ssv:Parameter name="gear"><ssv:Enumeration {attributes}/></ssv:Parameter></ssv:Parameters>
+            <ssv:Enumerations><ssc:Enumeration name="Gear"><ssc:Item name="reverse" value="-1"/>
+            <ssc:Item name="first" value="4"/></ssc:Enumeration></ssv:Enumerations></ssv:ParameterSet>
+            </ssd:ParameterValues></ssd:ParameterBinding></ssd:ParameterBindings>"#
+        );
+        let elements = format!("<ssd:Elements>{}</ssd:Elements>", component("a", &bindings));
+        let structure = structure(&elements, &[]).map_err(|error| error.to_string())?;
+        Ok(structure.component("a").unwrap().parameters[0].value.clone())
+    };
+    for (attributes, number) in [
+        (r#"value="first""#, 4),
+        (r#"name="Gear" value="reverse""#, -1),
+        (r#"value="2""#, 2),
+    ] {
+        assert_eq!(value(attributes), Ok(Value::Integer(number)), "{attributes}");
+    }
+    let refused: Result<_, String> = value(r#"value="second""#);
+    let refused = refused.unwrap_err();
+    assert!(refused.contains("which has reverse, first"), "{refused}");
+    let unknown = value(r#"name="Door" value="first""#).unwrap_err();
+    assert!(unknown.contains("declares no enumeration of it"), "{unknown}");
+}
+
+#[test]
 fn what_is_written_is_read_as_it_was() {
     let system = format!(
         "<ssd:Elements>{}{}</ssd:Elements><ssd:Connections>{}</ssd:Connections>",
