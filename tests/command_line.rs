@@ -295,7 +295,11 @@ fn a_new_scenario_runs() {
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let said = String::from_utf8_lossy(&output.stdout).into_owned();
         assert_says(&said, &[&format!("hotfoot run {name}")]);
-        let run = hotfoot(folder.path(), &["run", name, "--duration", "0.05", "--quiet"]);
+        let mut run = vec!["run", name, "--duration", "0.05", "--quiet"];
+        if template == "first-look" {
+            run.extend(["--set", "heat.cool_down_minutes=0"]);
+        }
+        let run = hotfoot(folder.path(), &run);
         assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     }
     let again = refusal(&hotfoot(folder.path(), &["new"]));

@@ -38,7 +38,7 @@ fn property_threads_and_processors_record_the_same_bytes() {
     // The sun is computed, so that its elementary functions take part.
     let sun = "\"site.latitude\" = -0.4\n\"site.longitude\" = 2.6\n\
                \"site.date_time\" = \"2018-12-21T10:30:00+10:00\"\n";
-    for scenario in [SmallScenario::new(3.0), SmallScenario::heating_a_short_rail(1.0, "", sun)] {
+    for scenario in [SmallScenario::new(1.5), SmallScenario::heating_a_short_rail(1.0, "", sun)] {
         let one = series(&scenario, "1", &[]);
         assert_eq!(one.len(), 4, "train, vehicles, wheels, rail");
         for threads in ["2", "4", "7"] {

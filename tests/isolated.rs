@@ -23,7 +23,7 @@ const FAILURES: [(&str, &str, &str); 8] = [
     ("STEP_ERROR", "the axle box is too hot at 0.05 s", "fmi2DoStep from 0.05 s by 0.001 s"),
 ];
 
-/// The five vehicles, of which the second is the hostile one in a process of its own, with further keys.
+/// Three vehicles, of which the second is the hostile one in a process of its own, with further keys.
 fn isolated(behaviour: &str, keys: &str) -> SmallScenario {
     let mut scenario = scenario(behaviour, &Claims::default());
     let own = format!("file = \"hostile.fmu\", isolate = \"process\"{keys} }}");
