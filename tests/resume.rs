@@ -20,11 +20,13 @@ const WEATHER: &str =
 3600,13.0,1.5,120,30,12,90
 ";
 
-/// Two vehicles on a rail of 60 m for 2 s, then a further train and a rest of 30 s; 60 s in all.
+/// Two vehicles of one type on a rail of 60 m for 2 s, then a further train and a rest of 30 s; 60 s in all.
 fn heating() -> SmallScenario {
     let keys = "rail = \"both\"\nfield_interval_s = 0.5\ncool_down_minutes = 0.5\ncool_down_step_s = 2.0\n\
                 trains = { count = 2, headway_minutes = 0.5 }\nprobe = [{ chainage_m = 30.0 }]";
-    let scenario = SmallScenario::heating_a_short_rail(2.0, keys, "weather_file = \"weather.csv\"");
+    let weather = "weather_file = \"weather.csv\"";
+    let mut scenario = SmallScenario::heating_a_short_rail(2.0, keys, weather);
+    scenario.text = scenario.text.replace("wagon-coco-134t-unpowered", "locomotive-coco-134t");
     fs::write(scenario.folder.path().join("weather.csv"), WEATHER).unwrap();
     scenario.write();
     scenario
