@@ -19,6 +19,7 @@
 //! | `mutations.rs` | mutations of a good FMU |
 //! | `native.rs` | a model called directly and as an FMU |
 //! | `outputs.rs` | further recorded outputs |
+//! | `own_vehicles.rs` | vehicle files beside the scenario |
 //! | `packages.rs` | packages of scenarios against the scenarios |
 //! | `profile_files.rs` | profiles of vehicle files |
 //! | `rails.rs` | the heated rails |
@@ -50,6 +51,7 @@ mod isolated;
 mod mutations;
 mod native;
 mod outputs;
+mod own_vehicles;
 mod packages;
 mod profile_files;
 mod rails;
