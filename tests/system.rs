@@ -29,6 +29,7 @@
 //! | `ssp_kinds.rs` | packages as other tools write them |
 //! | `synchronisation.rs` | the controller in the whole loop |
 //! | `tools.rs` | the engineering commands |
+//! | `tutorials.rs` | the tutorials of the book |
 //! | `wrong_input.rs`, `wrong-input/` | wrong files, and the whole message for each |
 //!
 //! All are one program, since linking is what takes the time of such tests' build. They need the
@@ -61,4 +62,5 @@ mod seam;
 mod ssp_kinds;
 mod synchronisation;
 mod tools;
+mod tutorials;
 mod wrong_input;
