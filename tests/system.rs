@@ -19,6 +19,7 @@
 //! | `mutations.rs` | mutations of a good FMU |
 //! | `native.rs` | a model called directly and as an FMU |
 //! | `outputs.rs` | further recorded outputs |
+//! | `own_vehicles.rs` | vehicle files beside the scenario |
 //! | `packages.rs` | packages of scenarios against the scenarios |
 //! | `profile_files.rs` | profiles of vehicle files |
 //! | `rails.rs` | the heated rails |
@@ -28,6 +29,7 @@
 //! | `ssp_kinds.rs` | packages as other tools write them |
 //! | `synchronisation.rs` | the controller in the whole loop |
 //! | `tools.rs` | the engineering commands |
+//! | `tutorials.rs` | the tutorials of the book |
 //! | `wrong_input.rs`, `wrong-input/` | wrong files, and the whole message for each |
 //!
 //! All are one program, since linking is what takes the time of such tests' build. They need the
@@ -50,6 +52,7 @@ mod isolated;
 mod mutations;
 mod native;
 mod outputs;
+mod own_vehicles;
 mod packages;
 mod profile_files;
 mod rails;
@@ -59,4 +62,5 @@ mod seam;
 mod ssp_kinds;
 mod synchronisation;
 mod tools;
+mod tutorials;
 mod wrong_input;

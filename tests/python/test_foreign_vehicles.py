@@ -16,6 +16,7 @@ from conftest import FMUS, HOTFOOT, RECORD, ROOT, five_vehicles, hotfoot
 from fmpy.validation import validate_fmu
 
 FOREIGN = Path(__file__).parent / "foreign"
+IN_TUTORIAL = ROOT / "docs" / "tutorials" / "swap-an-fmu.in"
 
 # Their names for our signals.
 IN_PYTHON = {
@@ -49,9 +50,9 @@ def in_c(tmp_path_factory):
     folder = tmp_path_factory.mktemp("c")
     library = folder / "pointmass.so"
     flags = ["-shared", "-fPIC", "-O2", "-Wall", "-Wextra", "-Werror"]
-    subprocess.run(["cc", *flags, FOREIGN / "pointmass.c", "-o", library], check=True)
+    subprocess.run(["cc", *flags, IN_TUTORIAL / "pointmass.c", "-o", library], check=True)
     with ZipFile(folder / "pointmass.fmu", "w") as fmu:
-        fmu.write(FOREIGN / "pointmass.xml", "modelDescription.xml")
+        fmu.write(IN_TUTORIAL / "modelDescription.xml", "modelDescription.xml")
         fmu.write(library, "binaries/linux64/pointmass.so")
     return folder / "pointmass.fmu"
 

@@ -65,12 +65,15 @@ pub fn hotfoot(folder: &Path, arguments: &[&str]) -> Output {
     })
 }
 
-/// The program `hotfoot` with these arguments in `folder`: that of the release, or the one that
-/// `HOTFOOT_PROGRAM` names in the environment.
+/// The program `hotfoot`: that of the release, or the one that `HOTFOOT_PROGRAM` names in the environment.
+pub fn program() -> PathBuf {
+    let stated = std::env::var_os("HOTFOOT_PROGRAM");
+    stated.map_or_else(|| release().join("hotfoot"), PathBuf::from)
+}
+
+/// The program `hotfoot` with these arguments in `folder`.
 pub fn command(folder: &Path, arguments: &[&str]) -> Command {
-    let program = std::env::var_os("HOTFOOT_PROGRAM");
-    let mut command =
-        Command::new(program.map_or_else(|| release().join("hotfoot"), PathBuf::from));
+    let mut command = Command::new(program());
     command.args(arguments).current_dir(folder);
     command
 }

@@ -2,6 +2,7 @@
 //!
 //! | file | task |
 //! |---|---|
+//! | `book.rs` | the book |
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
 //! | `foot_study.rs` | the runs of the foot study, its table and expected figures |
 //! | `instructions.rs` | instructions of a vehicle's step, counted |
@@ -9,6 +10,7 @@
 //! | `python.rs` | the Python environment of the FMPy tests, which has libclang too |
 //! | `shell.rs` | running commands |
 
+mod book;
 mod fmus;
 mod foot_study;
 mod instructions;
@@ -52,6 +54,8 @@ enum Task {
         #[arg(long)]
         write_expected: bool,
     },
+    /// Build the book in target/book/html
+    Book,
     /// Compare the package of every shipped scenario with the scenario's run (a quarter of an hour)
     Packages,
     /// Count the instructions of a vehicle's step by its parts (needs valgrind)
@@ -87,6 +91,10 @@ fn main() -> Result<()> {
                 foot_study::write_expected(&results)?;
             }
             print!("{}", foot_study::table(&results)?);
+            Ok(())
+        }
+        Task::Book => {
+            println!("{}", book::build()?.display());
             Ok(())
         }
         Task::Packages => {

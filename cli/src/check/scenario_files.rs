@@ -43,7 +43,7 @@ fn of_train(scenario: &Scenario) -> TrainFiles<'_> {
     let groups = scenario.train.vehicles.iter();
     TrainFiles {
         stock: &scenario.stock,
-        vehicles: groups.map(|group| (group.kind.as_str(), group.group)).collect(),
+        vehicles: groups.map(|group| (scenario.vehicle_file(&group.kind), group.group)).collect(),
         track: &scenario.track.file,
         driver: &scenario.driver.file,
         with: &scenario.driver.with,

@@ -93,11 +93,11 @@ impl Library {
         document.parse::<GearFile>()?.compile(&document.check())
     }
 
-    /// The draft gears at the front and the rear of the vehicle `name`.
+    /// The draft gears at the front and the rear of the vehicle in `file`.
     ///
     /// # Errors
     /// When there is no such draft gear, or its file has a value that is not possible.
-    pub fn draft_gears_of(&self, name: &str, vehicle: &Vehicle) -> Result<[DraftGear; 2], Mistake> {
+    pub fn draft_gears_of(&self, file: &Path, vehicle: &Vehicle) -> Result<[DraftGear; 2], Mistake> {
         let gear = |key: &str, gear: &str| {
             let folder = self.root.join("draft_gears");
             if folder.join(format!("{gear}.toml")).is_file() {
@@ -107,7 +107,7 @@ impl Library {
             let meant = did_you_mean(gear, known.iter().map(String::as_str));
             let wanted =
                 format!("there is no draft gear of this name in {}{meant}", folder.display());
-            let document = Document::read(&self.vehicle_path(name))?;
+            let document = Document::read(file)?;
             Err(document.check().error(key, format!("\"{gear}\""), wanted))
         };
         let coupler = &vehicle.coupler;

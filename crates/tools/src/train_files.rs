@@ -15,8 +15,8 @@ use track::TrackFile;
 pub struct TrainFiles<'a> {
     /// Folder of the rolling-stock library.
     pub stock: &'a Path,
-    /// Names of the types of its vehicles, each with the group of locomotives whose commands it follows.
-    pub vehicles: Vec<(&'a str, usize)>,
+    /// Files of the types of its vehicles, each with the group of locomotives whose commands it follows.
+    pub vehicles: Vec<(PathBuf, usize)>,
     /// Track file.
     pub track: &'a Path,
     /// Driver file.
@@ -41,11 +41,11 @@ impl TrainFiles<'_> {
     /// Checks vehicles and draft gears; says whether one of the vehicles has traction.
     fn check_vehicles(&self) -> Result<bool, Mistake> {
         let library = Library::open(self.stock)?;
-        let types: BTreeSet<&str> = self.vehicles.iter().map(|(kind, _)| *kind).collect();
+        let types: BTreeSet<&Path> = self.vehicles.iter().map(|(file, _)| &**file).collect();
         let mut has_traction = false;
-        for kind in types {
-            let vehicle = library.vehicle(kind)?;
-            library.draft_gears_of(kind, &vehicle)?;
+        for file in types {
+            let vehicle = library.vehicle_from_file(file)?;
+            library.draft_gears_of(file, &vehicle)?;
             has_traction |= vehicle.traction.is_some();
         }
         Ok(has_traction)

@@ -7,7 +7,7 @@ use files::{Check, Mistake, did_you_mean};
 use garde::Validate;
 
 use super::extent::Extent;
-use super::file::Scenario;
+use super::file::{Scenario, VehicleGroup};
 use super::fmus::OnFailure;
 
 /// Checks the bounds of all values and what one key demands of another.
@@ -127,7 +127,8 @@ fn check_probes(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     Ok(())
 }
 
-/// The types of the vehicles are in the library of the scenario, whose path is absolute.
+/// The types of the vehicles are in the library of the scenario, whose path is absolute, or files with names
+/// of their own.
 pub fn check_types(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     let folder = scenario.stock.join("vehicles");
     let wanted = "is no rolling-stock library: it has no folder `vehicles`";
@@ -139,6 +140,15 @@ pub fn check_types(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
         .collect();
     known.sort();
     for (i, group) in scenario.train.vehicles.iter().enumerate() {
+        if let Some(file) = &group.file {
+            let is_other = |other: &VehicleGroup| other.kind == group.kind && other.file != group.file;
+            let is_taken =
+                known.contains(&group.kind) || scenario.train.vehicles.iter().any(is_other);
+            let wanted = "the stock library or another vehicle of the train has this name; rename the file";
+            let check = check.element("train.vehicles", i);
+            check.ensure(!is_taken, "type", file.display(), wanted)?;
+            continue;
+        }
         let meant = did_you_mean(&group.kind, known.iter().map(String::as_str));
         let wanted = format!("there is no vehicle of this name in {}{meant}", folder.display());
         let check = check.element("train.vehicles", i);

@@ -143,10 +143,15 @@ pub struct Wind {
 #[derive(Debug, Clone, Deserialize, Serialize, JsonSchema, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct VehicleGroup {
-    /// Name of a vehicle type: a file in the folder `vehicles` of the stock library.
+    /// Vehicle type: a name in the folder `vehicles` of the stock library, or the path of a vehicle file
+    /// that ends in `.toml`, relative to the scenario's file; after loading the file's name without its ending.
     #[serde(rename = "type")]
     #[garde(length(min = 1))]
     pub kind: String,
+    /// File of a type that is not in the library.
+    #[serde(skip)]
+    #[garde(skip)]
+    pub file: Option<PathBuf>,
     /// How many.
     #[serde(default = "one")]
     #[garde(range(min = 1, max = 1000))]
@@ -265,6 +270,15 @@ fn one() -> usize {
 }
 
 impl Scenario {
+    /// File of a vehicle type: the one that the train names, else that in the stock library.
+    pub fn vehicle_file(&self, kind: &str) -> PathBuf {
+        let stated = self.train.vehicles.iter().find(|group| group.kind == kind);
+        let stated = stated.and_then(|group| group.file.clone());
+        stated.unwrap_or_else(|| {
+            self.stock.join("vehicles").join(kind).with_added_extension("toml")
+        })
+    }
+
     /// Number of vehicles in the train.
     pub fn vehicle_count(&self) -> usize {
         self.train.vehicles.iter().map(|group| group.count).sum()

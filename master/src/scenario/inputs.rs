@@ -10,11 +10,12 @@ use super::value::Value;
 impl Scenario {
     /// All files that the scenario names, and those of its rolling-stock library.
     pub fn inputs(&self) -> Vec<PathBuf> {
-        let Self { stock, track, driver, heat, fmus, .. } = self;
+        let Self { stock, train, track, driver, heat, fmus, .. } = self;
         let stock = WalkDir::new(stock).sort_by_file_name().into_iter().flatten();
         let stock =
             stock.filter(|entry| entry.file_type().is_file()).map(|entry| entry.into_path());
-        let named = [Some(&track.file), Some(&driver.file)].into_iter().flatten();
+        let own_vehicles = train.vehicles.iter().filter_map(|group| group.file.as_ref());
+        let named = [&track.file, &driver.file].into_iter().chain(own_vehicles);
         let of_fmus = [&fmus.longitudinal, &fmus.vehicle, &fmus.railheat].into_iter().flatten();
         let of_vehicles = fmus.vehicle_at.iter().filter_map(|other| other.file.as_ref());
         let of_rails = heat.iter().flat_map(|heat| heat.parameters.values());

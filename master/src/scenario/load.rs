@@ -72,6 +72,14 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, check: &Check) -> Resul
         Ok(())
     };
     resolve(&mut scenario.stock, "stock")?;
+    for (i, group) in scenario.train.vehicles.iter_mut().enumerate() {
+        if let Some(name) = group.kind.strip_suffix(".toml") {
+            let name = Path::new(name).file_name().unwrap_or_default().display().to_string();
+            let key = format!("train.vehicles[{}].type", i + 1);
+            group.file = Some(there(folder, Path::new(&group.kind), &key, check)?);
+            group.kind = name;
+        }
+    }
     check_types(scenario, check)?;
     resolve(&mut scenario.track.file, "track.file")?;
     resolve(&mut scenario.driver.file, "driver.file")?;

@@ -1,6 +1,6 @@
 //! Which vehicles of a train are locomotives, whether they pull or coast: by their files.
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use crate::scenario::Scenario;
 
@@ -15,10 +15,10 @@ const LONGEST_CHAIN: usize = 16;
 
 /// Numbers from one, from the head of the train, of the vehicles with traction.
 pub fn locomotives(scenario: &Scenario) -> Vec<usize> {
-    let folder = scenario.stock.join("vehicles");
+    let file_of = |kind: &str| scenario.vehicle_file(kind);
     let groups = scenario.train.vehicles.iter();
     let of_group = |group: &crate::scenario::VehicleGroup| {
-        std::iter::repeat_n(has_traction(&folder, &group.kind), group.count)
+        std::iter::repeat_n(has_traction(file_of, &group.kind), group.count)
     };
     let numbered = (1..).zip(groups.flat_map(of_group));
     numbered.filter(|(_, has_traction)| *has_traction).map(|(number, _)| number).collect()
@@ -26,11 +26,10 @@ pub fn locomotives(scenario: &Scenario) -> Vec<usize> {
 
 /// Whether a vehicle type, or one that it extends, has traction. A file that cannot be read is answered
 /// by the models.
-fn has_traction(folder: &Path, kind: &str) -> bool {
+fn has_traction(file_of: impl Fn(&str) -> PathBuf, kind: &str) -> bool {
     let mut kind = kind.to_owned();
     for _ in 0..LONGEST_CHAIN {
-        let file = folder.join(&kind).with_added_extension("toml");
-        let text = std::fs::read_to_string(file).unwrap_or_default();
+        let text = std::fs::read_to_string(file_of(&kind)).unwrap_or_default();
         let Ok(table) = text.parse::<toml::Table>() else { return false };
         if table.contains_key(TRACTION) {
             return true;
@@ -63,7 +62,8 @@ mod tests {
         ] {
             std::fs::write(folder.path().join(format!("{kind}.toml")), text).unwrap();
         }
-        let found = |kind| has_traction(folder.path(), kind);
+        let file_of = |kind: &str| folder.path().join(kind).with_added_extension("toml");
+        let found = |kind| has_traction(file_of, kind);
         assert!(found("diesel") && found("diesel-air"));
         assert!(
             !found("diesel-towed")

@@ -41,8 +41,7 @@ pub fn write_vehicle(scenario: &Scenario, kind: &str, folder: &Path) -> Result<O
     }
     write(&folder.join("vehicle.toml"), to_toml(&Vehicle { extends: kind }).as_bytes())?;
     let mut origins = write_track_and_stock(scenario, folder)?;
-    let original = scenario.stock.join("vehicles").join(kind).with_added_extension("toml");
-    origins.add("vehicle.toml", &original);
+    origins.add("vehicle.toml", &scenario.vehicle_file(kind));
     Ok(origins)
 }
 
@@ -91,7 +90,6 @@ fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, 
     copy_file(&scenario.track.file, &folder.join("track.toml"))?;
     let mut origins = Origins::default();
     origins.add("track.toml", &scenario.track.file);
-    origins.add("stock", &scenario.stock);
     // A track file that cannot be read is answered by the models, with all that is wrong in it.
     let track = track::TrackFile::read(&scenario.track.file);
     if let Some(irregularities) = track.ok().and_then(|track| track.measured()) {
@@ -100,6 +98,14 @@ fn write_track_and_stock(scenario: &Scenario, folder: &Path) -> Result<Origins, 
         origins.add(name.display().to_string(), &irregularities);
     }
     copy_folder(&scenario.stock, &folder.join("stock"))?;
+    for group in &scenario.train.vehicles {
+        if let Some(file) = &group.file {
+            let copy = format!("stock/vehicles/{}.toml", group.kind);
+            copy_file(file, &folder.join(&copy))?;
+            origins.add(copy, file);
+        }
+    }
+    origins.add("stock", &scenario.stock);
     Ok(origins)
 }
 

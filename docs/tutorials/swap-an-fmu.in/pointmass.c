@@ -15,7 +15,7 @@ typedef struct {
 
 enum { OK = 0, ERROR = 3 };
 
-/* Value references, as in pointmass.xml. */
+/* Value references, as in modelDescription.xml. */
 enum { START_KM_POST, START_SPEED, FRONT, REAR, CONTROL, DRAG, KM_POST, SPEED, COUNT };
 
 static const double MASS = 134e3; /* kg */
