@@ -63,6 +63,9 @@ enum Command {
     Report {
         /// Folder that a run has written
         results: PathBuf,
+        /// Also write each table as a CSV file into the folder `csv` of the results
+        #[arg(long)]
+        csv: bool,
     },
     /// Compare the figures of a run with those expected of its scenario
     #[command(after_help = examples::EXPECT)]
@@ -149,7 +152,7 @@ fn carry_out(command: Command) -> Result<u8> {
         Command::Check(arguments) => return check::check(&arguments),
         Command::Pack(arguments) => return pack::pack(&arguments),
         Command::New(arguments) => new::new(&arguments),
-        Command::Report { results } => results::report(&results),
+        Command::Report { results, csv } => results::report(&results, csv),
         Command::Expect { results, expected } => results::expect(&results, &expected),
         Command::Interface { fmu, xml } => interface::interface(&fmu, xml),
         Command::Schema => interface::schema(),

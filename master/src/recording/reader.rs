@@ -83,6 +83,22 @@ impl SeriesReader {
         Ok(values)
     }
 
+    /// Gives all rows to `take`, in the order of time, some at once.
+    ///
+    /// # Errors
+    /// When a file cannot be read, or `take` has an error.
+    pub(super) fn each_batch(
+        &self,
+        mut take: impl FnMut(&RecordBatch) -> Result<(), RecordingError>,
+    ) -> Result<(), RecordingError> {
+        for file in &self.files {
+            for batch in open(file)?.build().map_err(RecordingError::parquet(file))? {
+                take(&batch.map_err(RecordingError::parquet(file))?)?;
+            }
+        }
+        Ok(())
+    }
+
     fn index(&self, column: &str) -> Result<usize, RecordingError> {
         self.schema.index_of(column).map_err(|_| {
             let names: Vec<_> = self.columns().map(|field| field.name().as_str()).collect();
