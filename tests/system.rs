@@ -2,6 +2,7 @@
 //!
 //! | file | what is tested |
 //! |---|---|
+//! | `chosen_outputs.rs` | what a run records, and CSV |
 //! | `command_line.rs` | answers to wrong input |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `documents.rs` | what README, licences and vocabulary say |
@@ -33,6 +34,7 @@
 //! All are one program, since linking is what takes the time of such tests' build. They need the
 //! packed FMUs (`cargo xtask fmus`); `cargo test --release -p hotfoot-tests rails` runs those of `rails.rs`.
 
+mod chosen_outputs;
 mod command_line;
 mod determinism;
 mod documents;

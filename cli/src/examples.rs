@@ -6,7 +6,7 @@ Examples:
   hotfoot run scenarios/first-look --set train.speed_m_per_s=20
   hotfoot run scenarios/curve-increasing-speed --duration 20
   hotfoot run scenarios/train-alone --results results/first --quiet
-  hotfoot run train.ssp --step 0.001 --threads 4 --record vehicle_1.* --csv
+  hotfoot run train.ssp --step 0.001 --threads 4 --record 'vehicle_1.*' --csv
   hotfoot run scenarios/wet-rail --checkpoint 20 --results results/long
   hotfoot run --resume results/long";
 

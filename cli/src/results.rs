@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use anyhow::{Result, bail, ensure};
-use hotfoot::{recording, report};
 use hotfoot::run::folder::claim::{Owner, owner, release};
 use hotfoot::run::folder::complete::{complete, is_complete};
 use hotfoot::run::{End, Ended, expected};
+use hotfoot::{recording, report};
 
 use crate::output::{print, tell};
 use crate::supervise::temporary;

@@ -10,7 +10,9 @@ use arrow_schema::SchemaRef;
 use arrow_select::concat::concat_batches;
 
 use super::open_part::left_records;
-use super::parts::{joined_file, part_files, parts_folder, remove_folder, rows_of, table_names, write_file};
+use super::parts::{
+    joined_file, part_files, parts_folder, remove_folder, rows_of, table_names, write_file,
+};
 use super::reader::schema_of;
 use super::{RAIL_TABLE, RecordingError};
 

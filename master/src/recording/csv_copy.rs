@@ -45,7 +45,8 @@ fn copy(table: &SeriesReader, file: &Path) -> Result<(), RecordingError> {
     output.write_record(names).map_err(RecordingError::csv(file))?;
     table.each_batch(|batch| {
         let rows = (0..batch.num_rows()).map(|row| cells(batch, row));
-        rows.map(|row| output.write_record(row)).collect::<Result<(), _>>()
+        rows.map(|row| output.write_record(row))
+            .collect::<Result<(), _>>()
             .map_err(RecordingError::csv(file))
     })?;
     output.flush().map_err(RecordingError::file(file))
@@ -66,6 +67,10 @@ fn cell(column: &dyn Array, row: usize) -> String {
         DataType::Float64 => format!("{:?}", column.as_primitive::<Float64Type>().value(row)),
         DataType::Float32 => format!("{:?}", column.as_primitive::<Float32Type>().value(row)),
         DataType::Int32 => column.as_primitive::<Int32Type>().value(row).to_string(),
-        _ => column.as_string_opt::<i32>().map(|names| names.value(row)).unwrap_or_default().to_owned(),
+        _ => column
+            .as_string_opt::<i32>()
+            .map(|names| names.value(row))
+            .unwrap_or_default()
+            .to_owned(),
     }
 }

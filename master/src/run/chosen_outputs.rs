@@ -5,9 +5,8 @@ use std::collections::HashSet;
 use files::did_you_mean;
 
 use super::observe_error::OutputsError;
-use super::output_table::numbers;
-use crate::interface::Variable;
 use crate::interface::name_pattern::matches;
+use crate::interface::{Variable, VariableType};
 use crate::system::step::System;
 use crate::system::structure::Endpoint;
 use crate::system::unit::Unit;
@@ -29,7 +28,9 @@ impl ChosenOutputs {
         system: &System,
     ) -> Result<Self, OutputsError> {
         if patterns.is_empty() {
-            return Ok(Self(Some(system.units().flat_map(|unit| default(unit, connected)).collect())));
+            return Ok(Self(Some(
+                system.units().flat_map(|unit| default(unit, connected)).collect(),
+            )));
         }
         let outputs: Vec<Endpoint> = system.units().flat_map(|unit| endpoints(unit)).collect();
         let fits = |pattern: &str, output: &Endpoint| matches(pattern, &output.to_string());
@@ -46,6 +47,12 @@ impl ChosenOutputs {
         let Self(chosen) = self;
         chosen.as_ref().is_none_or(|chosen| chosen.contains(&Endpoint::new(component, output)))
     }
+}
+
+/// The outputs of a unit that are numbers and `wanted`: Real, Integer, Boolean.
+pub fn numbers<'u>(unit: &'u dyn Unit, wanted: &impl Fn(&Variable) -> bool) -> Vec<&'u Variable> {
+    let outputs = unit.interface().variables().into_iter().filter(|v| v.causality == "output");
+    outputs.filter(|v| v.kind != VariableType::Text && wanted(v)).collect()
 }
 
 /// The outputs of a component that are numbers.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use super::chosen_outputs::ChosenOutputs;
+use super::chosen_outputs::{ChosenOutputs, numbers};
 use super::observe_error::ObserveError;
 use crate::interface::{Variable, VariableType};
 use crate::recording::{Column, Key, SeriesWriter, TIME};
@@ -109,12 +109,6 @@ impl Row {
         let columns = variables.iter().filter_map(&mut column).collect();
         Self { part, outputs, columns, values: vec![] }
     }
-}
-
-/// The outputs of a unit that are numbers and `wanted`: Real, Integer, Boolean.
-pub fn numbers<'u>(unit: &'u dyn Unit, wanted: &impl Fn(&Variable) -> bool) -> Vec<&'u Variable> {
-    let outputs = unit.interface().variables().into_iter().filter(|v| v.causality == "output");
-    outputs.filter(|v| v.kind != VariableType::Text && wanted(v)).collect()
 }
 
 fn column(variable: &Variable) -> Column {

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use super::after::Rails;
-use super::chosen_outputs::ChosenOutputs;
+use super::chosen_outputs::{ChosenOutputs, numbers};
 use super::error::RunError;
 use super::manifest::{Manifest, component_facts};
 use super::observe_error::ObserveError;
 use super::options::Options;
-use super::output_table::{numbers, renamed, same_tables};
+use super::output_table::{renamed, same_tables};
 use super::setup::{Setup, Subject};
 use super::source;
 use crate::report::SystemFacts;

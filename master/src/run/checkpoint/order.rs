@@ -88,8 +88,9 @@ impl Order {
         results: &Path,
         files: Vec<PathBuf>,
     ) -> Result<Self, FileError> {
-        let Options { fmus, settings, times, tolerance, checks, same_thread, isolate, record, .. } =
-            options;
+        let Options {
+            fmus, settings, times, tolerance, checks, same_thread, isolate, record, ..
+        } = options;
         let mut order = Self {
             hotfoot: PROGRAM.to_owned(),
             results: results.to_owned(),
