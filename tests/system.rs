@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `chosen_outputs.rs` | what a run records, and CSV |
 //! | `command_line.rs` | answers to wrong input |
+//! | `compare.rs` | runs beside each other and beside measurements |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `documents.rs` | what README, licences and vocabulary say |
 //! | `ends.rs`, `ends/` | every end of a run |
@@ -26,6 +27,7 @@
 //! | `resume.rs` | runs that go on from a checkpoint |
 //! | `seam.rs` | FMUs that misbehave at the seam: values, memory, threads, messages |
 //! | `scenarios.rs` | every shipped scenario |
+//! | `scripts.rs` | answers for scripts: JSON, schemas, completions, manual pages |
 //! | `ssp_kinds.rs` | packages as other tools write them |
 //! | `synchronisation.rs` | the controller in the whole loop |
 //! | `tools.rs` | the engineering commands |
@@ -36,6 +38,7 @@
 
 mod chosen_outputs;
 mod command_line;
+mod compare;
 mod determinism;
 mod documents;
 mod ends;
@@ -57,6 +60,7 @@ mod profile_files;
 mod rails;
 mod resume;
 mod scenarios;
+mod scripts;
 mod seam;
 mod ssp_kinds;
 mod synchronisation;

@@ -13,7 +13,7 @@ use tools::number::{count, positive};
 
 use crate::check::scenario_files;
 use crate::output::{self, tell};
-use crate::results::write_csv;
+use crate::results::report::write_csv;
 use crate::supervise::child::{self, Child};
 use crate::supervise::limits::Limits;
 use crate::supervise::{self, Blame, End, exit_code};
@@ -86,6 +86,9 @@ pub struct RunArguments {
     /// Also write each table as a CSV file into the folder `csv` of the results
     #[arg(long)]
     csv: bool,
+    /// Print the figures of the run as JSON
+    #[arg(long)]
+    json: bool,
     /// Show no progress
     #[arg(long)]
     quiet: bool,
@@ -242,7 +245,10 @@ fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
     if arguments.csv {
         write_csv(results)?;
     }
-    output::print(&finished)?;
+    match arguments.json {
+        true => output::print_json(&finished.summary(results))?,
+        false => output::print(&finished)?,
+    }
     // All is done; what the FMUs do when they are freed can only be a reason for a warning.
     child.finish(code);
     Ok(code)

@@ -2,14 +2,11 @@
 
 use std::path::Path;
 
-use arrow_array::cast::AsArray;
-use arrow_array::types::{Float32Type, Float64Type, Int32Type};
-use arrow_array::{Array, RecordBatch};
-use arrow_schema::DataType;
+use arrow_array::RecordBatch;
 
 use super::RecordingError;
 use super::parts::table_names;
-use super::reader::SeriesReader;
+use super::reader::{SeriesReader, cell};
 
 /// Name of the file that says what the columns are.
 pub const COLUMNS: &str = "columns.csv";
@@ -59,18 +56,4 @@ fn writer(file: &Path) -> Result<csv::Writer<std::fs::File>, RecordingError> {
 /// The values of a row.
 fn cells(batch: &RecordBatch, row: usize) -> impl Iterator<Item = String> {
     batch.columns().iter().map(move |column| cell(column.as_ref(), row))
-}
-
-/// A value with as few digits as tell it from its neighbours.
-fn cell(column: &dyn Array, row: usize) -> String {
-    match column.data_type() {
-        DataType::Float64 => format!("{:?}", column.as_primitive::<Float64Type>().value(row)),
-        DataType::Float32 => format!("{:?}", column.as_primitive::<Float32Type>().value(row)),
-        DataType::Int32 => column.as_primitive::<Int32Type>().value(row).to_string(),
-        _ => column
-            .as_string_opt::<i32>()
-            .map(|names| names.value(row))
-            .unwrap_or_default()
-            .to_owned(),
-    }
 }

@@ -69,7 +69,10 @@ pub fn expect(results: &Path, expected: &Path) -> Result<()> {
 }
 
 /// Refuses a folder that no run has written.
-fn check_folder(results: &Path) -> Result<()> {
+///
+/// # Errors
+/// When there is none, or it has no manifest.
+pub fn check_folder(results: &Path) -> Result<()> {
     files::exists(results)?;
     let is_one = results.join("manifest.toml").is_file();
     ensure!(is_one, "{} is no folder of results: it has no manifest.toml", results.display());
