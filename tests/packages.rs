@@ -64,9 +64,12 @@ fn compare(file: &Path, duration: &str) {
     };
     let (file, package) = (file.to_str().unwrap(), path("package.ssp"));
     run(&["export-ssp", file, "-o", &package]);
-    for (what, results) in [(file, path("scenario")), (&package, path("package"))] {
+    let all: &[&str] = &["--record", "*"];
+    for (what, results, more) in
+        [(file, path("scenario"), &[][..]), (&package, path("package"), all)]
+    {
         let times = ["--duration", duration, "--interval", INTERVAL];
-        run(&[&["run", what, "--quiet", "--results", &results][..], &times].concat());
+        run(&[&["run", what, "--quiet", "--results", &results][..], &times, more].concat());
     }
     let results = Results {
         file: file.to_owned(),

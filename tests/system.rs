@@ -2,7 +2,9 @@
 //!
 //! | file | what is tested |
 //! |---|---|
+//! | `chosen_outputs.rs` | what a run records, and CSV |
 //! | `command_line.rs` | answers to wrong input |
+//! | `compare.rs` | runs beside each other and beside measurements |
 //! | `determinism.rs` | any number of threads gives the same bytes |
 //! | `documents.rs` | what README, licences and vocabulary say |
 //! | `ends.rs`, `ends/` | every end of a run |
@@ -26,6 +28,7 @@
 //! | `resume.rs` | runs that go on from a checkpoint |
 //! | `seam.rs` | FMUs that misbehave at the seam: values, memory, threads, messages |
 //! | `scenarios.rs` | every shipped scenario |
+//! | `scripts.rs` | answers for scripts: JSON, schemas, completions, manual pages |
 //! | `ssp_kinds.rs` | packages as other tools write them |
 //! | `synchronisation.rs` | the controller in the whole loop |
 //! | `tools.rs` | the engineering commands |
@@ -35,7 +38,9 @@
 //! All are one program, since linking is what takes the time of such tests' build. They need the
 //! packed FMUs (`cargo xtask fmus`); `cargo test --release -p hotfoot-tests rails` runs those of `rails.rs`.
 
+mod chosen_outputs;
 mod command_line;
+mod compare;
 mod determinism;
 mod documents;
 mod ends;
@@ -58,6 +63,7 @@ mod profile_files;
 mod rails;
 mod resume;
 mod scenarios;
+mod scripts;
 mod seam;
 mod ssp_kinds;
 mod synchronisation;

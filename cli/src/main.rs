@@ -3,12 +3,12 @@
 //! | file | commands |
 //! |---|---|
 //! | `run.rs` | `run` |
-//! | `new.rs` | `new` |
+//! | `scenario/` | `new`, `wiring`, `export-ssp` |
+//! | `check/` | `check` |
+//! | `results/` | `report`, `expect`, `compare` |
+//! | `fmu/` | `interface`, `pack` |
+//! | `reference/` | `stock`, `schema`, `completions`, `man` |
 //! | `supervise/` | a command in a child process, which an FMU may crash |
-//! | `export_ssp.rs`, `pack.rs`, `check/` | the commands of the same names |
-//! | `wiring.rs` | `wiring` |
-//! | `results.rs` | `report`, `expect` |
-//! | `interface.rs` | `interface`, `schema` |
 //! | `examples.rs` | the examples in their help |
 //! | `output.rs` | what is printed, and the message of an error |
 //!
@@ -16,29 +16,31 @@
 
 mod check;
 mod examples;
-mod export_ssp;
-mod interface;
-mod new;
+mod fmu;
 mod output;
-mod pack;
+mod reference;
 mod results;
 mod run;
+mod scenario;
 mod supervise;
-mod wiring;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use tools::{ToolError, contact, creep, critical_speed, modes};
 
-use crate::output::{is_closed_pipe, message, tell};
+use crate::fmu::{interface, pack};
+use crate::output::{Told, is_closed_pipe, message, tell};
+use crate::reference::{schema, shells, stock};
+use crate::results::{compare, report};
+use crate::scenario::{export_ssp, new, wiring};
 use crate::supervise::child;
 
 /// Full-train co-simulation of in-train forces, wheel-rail contact and rail-foot heat.
 #[derive(Parser)]
-#[command(version)]
+#[command(version, after_help = examples::ALL)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -63,7 +65,16 @@ enum Command {
     Report {
         /// Folder that a run has written
         results: PathBuf,
+        /// Also write each table as a CSV file into the folder `csv` of the results
+        #[arg(long)]
+        csv: bool,
     },
+    /// List the rolling stock that is shipped, show the figures of an entry, or where they are from
+    #[command(after_help = examples::STOCK)]
+    Stock(stock::StockArguments),
+    /// Compare runs with each other or with measurements: inputs, errors of every column, a page of curves
+    #[command(after_help = examples::COMPARE)]
+    Compare(compare::CompareArguments),
     /// Compare the figures of a run with those expected of its scenario
     #[command(after_help = examples::EXPECT)]
     Expect {
@@ -80,16 +91,19 @@ enum Command {
     Pack(pack::PackArguments),
     /// List the variables of an FMU
     #[command(after_help = examples::INTERFACE)]
-    Interface {
-        /// FMU
-        fmu: PathBuf,
-        /// Print the modelDescription.xml as it is
-        #[arg(long)]
-        xml: bool,
-    },
-    /// Print the JSON schema of scenario files, for editors
+    Interface(interface::InterfaceArguments),
+    /// Print the JSON schema of a kind of file, for editors
     #[command(after_help = examples::SCHEMA)]
-    Schema,
+    Schema(schema::SchemaArguments),
+    /// Print what a shell needs to complete the commands and options
+    #[command(after_help = examples::COMPLETIONS)]
+    Completions(shells::CompletionsArguments),
+    /// Write the manual pages of all commands
+    #[command(after_help = examples::MAN)]
+    Man {
+        /// Folder of the pages, which is made
+        folder: PathBuf,
+    },
     /// Natural frequencies, damping and shapes of a vehicle on its suspension
     #[command(after_help = examples::MODES)]
     Modes(modes::ModesArguments),
@@ -133,6 +147,7 @@ fn outcome(done: Result<u8>) -> u8 {
     match done {
         Ok(code) => code,
         Err(error) if is_closed_pipe(&error) => 0,
+        Err(error) if error.is::<Told>() => 1,
         Err(error) => {
             tell(format_args!("Error: {}", message(&error)));
             1
@@ -148,11 +163,17 @@ fn carry_out(command: Command) -> Result<u8> {
         Command::Wiring(arguments) => return wiring::print(&arguments),
         Command::Check(arguments) => return check::check(&arguments),
         Command::Pack(arguments) => return pack::pack(&arguments),
+        Command::Stock(arguments) => stock::stock(&arguments),
+        Command::Compare(arguments) => return compare::compare(&arguments),
         Command::New(arguments) => new::new(&arguments),
-        Command::Report { results } => results::report(&results),
-        Command::Expect { results, expected } => results::expect(&results, &expected),
-        Command::Interface { fmu, xml } => interface::interface(&fmu, xml),
-        Command::Schema => interface::schema(),
+        Command::Report { results, csv } => report::report(&results, csv),
+        Command::Expect { results, expected } => report::expect(&results, &expected),
+        Command::Interface(arguments) => interface::interface(&arguments),
+        Command::Schema(arguments) => schema::schema(&arguments),
+        Command::Completions(arguments) => {
+            shells::completions(&arguments, &mut Arguments::command())
+        }
+        Command::Man { folder } => shells::man(&folder, Arguments::command()),
         Command::Modes(arguments) => print(modes::modes(&arguments)),
         Command::Contact(arguments) => print(contact::contact(&arguments)),
         Command::Creep(arguments) => print(creep::creep(&arguments)),
@@ -168,8 +189,6 @@ fn print(answer: Result<String, ToolError>) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
-
     use super::*;
 
     #[test]

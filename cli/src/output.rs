@@ -2,10 +2,11 @@
 //!
 //! Neither a reader that goes away nor a full device makes it panic.
 
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::io::{self, ErrorKind, Write};
 
 use anyhow::{Context, Error, Result};
+use serde::Serialize;
 
 /// Prints a text and a new line to the standard output.
 ///
@@ -25,10 +26,45 @@ pub fn write(text: impl Display) -> Result<()> {
     written.context("the standard output cannot be written")
 }
 
+/// Prints rows of which the first has the names of the columns.
+///
+/// # Errors
+/// When they cannot be written.
+pub fn print_table<R: AsRef<[String]>>(rows: &[R]) -> Result<()> {
+    let columns = rows.first().map_or(0, |row| row.as_ref().len());
+    let width = |column: usize| rows.iter().map(|row| row.as_ref()[column].chars().count()).max();
+    let widths: Vec<usize> = (0..columns).map(|column| width(column).unwrap_or(0)).collect();
+    for row in rows {
+        let cells = row.as_ref().iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}"));
+        print(cells.collect::<Vec<_>>().join("  ").trim_end())?;
+    }
+    Ok(())
+}
+
+/// Prints a value as JSON, in lines.
+///
+/// # Errors
+/// When it cannot be written.
+pub fn print_json(value: &impl Serialize) -> Result<()> {
+    print(serde_json::to_string_pretty(value)?)
+}
+
 /// Tells a sentence on the terminal, if there still is one.
 pub fn tell(sentence: impl Display) {
     let _ = writeln!(io::stderr(), "{sentence}");
 }
+
+/// An error whose sentence is told already.
+#[derive(Debug)]
+pub struct Told;
+
+impl Display for Told {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("it is told already")
+    }
+}
+
+impl std::error::Error for Told {}
 
 /// Whether an error is that nobody reads the standard output any more, which is no failure.
 pub fn is_closed_pipe(error: &Error) -> bool {

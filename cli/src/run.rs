@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, anyhow};
+use anyhow::{Error, Result, anyhow};
 use clap::{Args, ValueEnum};
 use files::Setting;
 use hotfoot::run::folder::claim::Claim;
@@ -13,6 +13,7 @@ use tools::number::{count, positive};
 
 use crate::check::scenario_files;
 use crate::output::{self, tell};
+use crate::results::report::write_csv;
 use crate::supervise::child::{self, Child};
 use crate::supervise::limits::Limits;
 use crate::supervise::{self, Blame, End, exit_code};
@@ -29,7 +30,7 @@ pub struct RunArguments {
         value_name = "RESULTS",
         conflicts_with_all = [
             "scenario", "results", "overwrite", "fmus", "settings", "duration", "step", "interval", "checkpoint",
-            "tolerance", "checks", "same_thread", "isolate",
+            "tolerance", "checks", "same_thread", "isolate", "record",
         ]
     )]
     resume: Option<PathBuf>,
@@ -75,6 +76,19 @@ pub struct RunArguments {
     /// Run the FMU of this component in a process of its own, such as `vehicle[2]`; `all` stands for all
     #[arg(long, value_name = "NAME")]
     isolate: Vec<String>,
+    /// Record the outputs that fit this pattern, in which `*` stands for any text; can be given more than once
+    ///
+    /// Of a package or an FMU: `component.output`, such as 'vehicle_1.*' (write the quotes); left out: the
+    /// outputs that are connected, and of a component of which none is, all. Of a scenario: outputs of the
+    /// vehicles whose wheels are recorded, such as '*.derailment_quotient', in place of its `record.outputs`.
+    #[arg(long, value_name = "PATTERN")]
+    record: Vec<String>,
+    /// Also write each table as a CSV file into the folder `csv` of the results
+    #[arg(long)]
+    csv: bool,
+    /// Print the figures of the run as JSON
+    #[arg(long)]
+    json: bool,
     /// Show no progress
     #[arg(long)]
     quiet: bool,
@@ -107,6 +121,16 @@ impl RunArguments {
     /// The scenario or package, which is there where no run is resumed.
     fn scenario(&self) -> &Path {
         self.scenario.as_deref().unwrap_or(Path::new(""))
+    }
+
+    /// The values of the scenario's keys, of which the outputs that are recorded are one.
+    fn settings(&self) -> Result<Vec<Setting>> {
+        let mut settings = self.settings.clone();
+        if !self.record.is_empty() && !is_system(self.scenario()) {
+            let outputs = format!("record.outputs={:?}", self.record);
+            settings.push(outputs.parse().map_err(Error::msg)?);
+        }
+        Ok(settings)
     }
 }
 
@@ -188,7 +212,11 @@ fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
     let options = Options {
         threads: arguments.threads,
         fmus: arguments.fmus.clone().unwrap_or_else(default_fmus),
-        settings: arguments.settings.clone(),
+        settings: arguments.settings()?,
+        record: match is_system(arguments.scenario()) {
+            true => arguments.record.clone(),
+            false => vec![],
+        },
         times: Times {
             duration: arguments.duration,
             step: arguments.step,
@@ -214,7 +242,13 @@ fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
         tell(format_args!("{stopped}; the results until then are in {}", results.display()));
         code = exit_code(stopped.signal);
     }
-    output::print(&finished)?;
+    if arguments.csv {
+        write_csv(results)?;
+    }
+    match arguments.json {
+        true => output::print_json(&finished.summary(results))?,
+        false => output::print(&finished)?,
+    }
     // All is done; what the FMUs do when they are freed can only be a reason for a warning.
     child.finish(code);
     Ok(code)
@@ -226,7 +260,7 @@ fn note_files(arguments: &RunArguments) -> Result<()> {
     if is_system(path) {
         return Ok(());
     }
-    let (mut scenario, file, _) = hotfoot::scenario::load(path, &arguments.settings)?;
+    let (mut scenario, file, _) = hotfoot::scenario::load(path, &arguments.settings()?)?;
     let times = Times { duration: arguments.duration, ..Times::default() };
     times.replace_in(&mut scenario, &file)?;
     for note in scenario_files::check(&scenario)? {

@@ -34,7 +34,7 @@ pub use files::{archive, xml_text};
 pub use fmi::{FmuInstance, Import, Manner, UNLOADING, note_unloading, pack, unit, watched};
 #[cfg(target_os = "linux")]
 pub use fmi::{WAITING, serve};
-pub use interface::Interface;
+pub use interface::{Interface, Variable};
 pub use run::error::RunError;
 pub use run::{Finished, Options, run};
 pub use system::checks::Checks;

@@ -147,7 +147,7 @@ def test_fmucontainer_gives_the_same_system(tmp_path):
     ]
     connections = [packages.connection(start, end) for start, end in LINKS]
     package = packages.write(tmp_path / "system.ssp", components, connections, fmus)
-    times = ["--duration", STOP, "--step", LENGTH, "--interval", LENGTH]
+    times = ["--duration", STOP, "--step", LENGTH, "--interval", LENGTH, "--record", "*"]
     hotfoot("run", package, *times, "--quiet", "--results", tmp_path / "results")
 
     folder = tmp_path / "container"

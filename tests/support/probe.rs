@@ -108,6 +108,11 @@ impl Package {
         String::from_utf8_lossy(&output.stderr).into_owned()
     }
 
+    /// Folder of the results of its run.
+    pub fn results(&self) -> PathBuf {
+        self.folder.path().join("r")
+    }
+
     /// What was recorded of an output of a component.
     ///
     /// # Panics

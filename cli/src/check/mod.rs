@@ -4,17 +4,21 @@
 //!
 //! | file | part |
 //! |---|---|
+//! | `answer.rs` | what is printed of it, as text or JSON |
 //! | `scenario_files.rs` | the files of a scenario |
 
+mod answer;
 pub mod scenario_files;
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, anyhow};
+use answer::{Answer, Problems};
+use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
+use files::Setting;
 use hotfoot::Import;
 use hotfoot::check::reference::{self, Verdict};
-use hotfoot::check::{self, Severity, rules};
+use hotfoot::check::{self, Finding, Severity, rules};
 use hotfoot::roles;
 
 use crate::output::print;
@@ -37,6 +41,16 @@ pub struct CheckArguments {
     /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
     #[arg(long)]
     fmus: Option<PathBuf>,
+    /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
+    /// than once
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<Setting>,
+    /// Print what was found as JSON
+    #[arg(long)]
+    json: bool,
+    /// Print nothing where all is right
+    #[arg(long)]
+    quiet: bool,
     /// List the rules for a modelDescription.xml and do nothing else
     #[arg(long)]
     rules: bool,
@@ -78,62 +92,71 @@ pub fn check(arguments: &CheckArguments) -> Result<u8> {
         return Ok(0);
     }
     let Some(fmu) = &arguments.fmu else { return Ok(0) };
-    files::exists(fmu)?;
-    if fmu.is_dir() || fmu.extension().is_some_and(|extension| extension == "toml") {
-        return check_scenario(fmu, arguments);
-    }
-    command_in_child(&arguments.limits, || check_here(fmu, arguments))
+    let answer = Answer::new(fmu, arguments.json, arguments.quiet);
+    let checked = files::exists(fmu).map_err(Into::into).and_then(|()| {
+        let is_scenario = fmu.is_dir() || fmu.extension().is_some_and(|end| end == "toml");
+        if is_scenario {
+            return check_scenario(fmu, arguments, &answer);
+        }
+        if let Some(setting) = arguments.settings.first() {
+            bail!("{setting}: sets a key of a scenario; an FMU has none");
+        }
+        command_in_child(&arguments.limits, || answer.of(check_here(fmu, arguments)))
+    });
+    checked.or_else(|error| answer.of(Err(error)).map(|()| 0))
 }
 
 /// Checks a scenario: first the files in this process, then all that FMUs say up to the first step.
-fn check_scenario(path: &Path, arguments: &CheckArguments) -> Result<u8> {
-    let (scenario, file, _) = hotfoot::scenario::load(path, &[])?;
+fn check_scenario(path: &Path, arguments: &CheckArguments, answer: &Answer<'_>) -> Result<u8> {
+    let (scenario, file, _) = hotfoot::scenario::load(path, &arguments.settings)?;
     let notes = scenario_files::check(&scenario)?;
+    let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
     command_in_child(&arguments.limits, || {
-        let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
-        let check_until_startn = hotfoot::run::check_until_start(&file, &fmus)?;
-        for note in notes.iter().chain(&check_until_startn) {
-            print(format_args!("note: {note}"))?;
-        }
-        print(format_args!("{}: can be run", file.display()))
+        let started = hotfoot::run::check_until_start(&file, &arguments.settings, &fmus);
+        let found = started.map_err(Into::into).map(|foreseen| {
+            let notes = notes.iter().chain(&foreseen).map(|note| format!("note: {note}"));
+            notes.chain([format!("{}: can be run", file.display())]).collect()
+        });
+        answer.of(found)
     })
 }
 
-fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<()> {
-    let mut problems = broken_rules(fmu)?;
+/// What is right with an FMU, in sentences; what is wrong is an error.
+fn check_here(fmu: &Path, arguments: &CheckArguments) -> Result<Vec<String>> {
+    let (mut right, mut problems) = broken_rules(fmu);
     if problems.is_empty() {
-        print(format_args!("{} keeps the rules of FMI 2.0", fmu.display()))?;
+        right.push(format!("{} keeps the rules of FMI 2.0", fmu.display()));
     }
     if let Some(role) = arguments.role {
-        problems.extend(unfit(fmu, role)?);
+        match unfit(fmu, role)?.as_slice() {
+            [] => right.push(format!("{} can be used as {role:?}", fmu.display())),
+            missing => problems.extend_from_slice(missing),
+        }
     }
     if arguments.replay {
         match reference::compare(fmu)? {
-            Verdict::Same(agreement) => print(agreement)?,
+            Verdict::Same(agreement) => right.push(agreement.to_string()),
             Verdict::Different(differences) => problems.extend(differences),
         }
     }
     match problems.is_empty() {
-        true => Ok(()),
-        false => Err(anyhow!("{}:\n{}", fmu.display(), problems.join("\n"))),
+        true => Ok(right),
+        false => Err(Problems { of: fmu.display().to_string(), right, problems }.into()),
     }
 }
 
-/// The rules that are broken; advice is printed at once, as it makes no FMU wrong.
-fn broken_rules(fmu: &Path) -> Result<Vec<String>> {
+/// Advice, which makes no FMU wrong, and the rules that are broken.
+fn broken_rules(fmu: &Path) -> (Vec<String>, Vec<String>) {
     let (advice, errors): (Vec<_>, Vec<_>) =
         check::check(fmu).into_iter().partition(|finding| finding.severity == Severity::Advice);
-    for finding in advice {
-        print(finding)?;
-    }
-    Ok(errors.iter().map(ToString::to_string).collect())
+    let texts = |findings: &[Finding]| findings.iter().map(ToString::to_string).collect();
+    (texts(&advice), texts(&errors))
 }
 
 /// What the FMU lacks for a role.
 fn unfit(fmu: &Path, role: Role) -> Result<Vec<String>> {
     let missing = roles::missing(&Import::interface_of(fmu)?, role.into());
     if missing.is_empty() {
-        print(format_args!("{} can be used as {role:?}", fmu.display()))?;
         return Ok(vec![]);
     }
     let heading = format!("it cannot be used as {role:?}:");

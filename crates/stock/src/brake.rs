@@ -1,12 +1,13 @@
 //! Sections of the vehicle file on its brakes: `[brake]`, `[locomotive_brake]`, `[hand_brake]`.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::propulsion::ValueBySpeed;
 
 /// What commands the friction brake.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum BrakeControl {
     /// A cable along the train (ECP).
@@ -17,7 +18,7 @@ pub enum BrakeControl {
 }
 
 /// Section `[brake]`: the friction brake that the train brake commands.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Brake {
     /// Cable or pipe. A vehicle may have both; the times below are those of the cable.
@@ -43,7 +44,7 @@ pub struct Brake {
 }
 
 /// Section `[brake.air]`: a conventional air brake, described by its effect.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AirBrake {
     /// Speed along the train at which a service application arrives, m/s.
@@ -67,7 +68,7 @@ pub struct AirBrake {
 
 /// Section `[brake.air.reservoir]`: the air of the vehicle and of its pipe. Shares are of the change
 /// of pressure at full service.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reservoir {
     /// Time constant of recharging beside the source of the air, s.
@@ -91,7 +92,7 @@ pub struct Reservoir {
 }
 
 /// A fraction that rises from 0 to 1 over time.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FractionByTime {
     /// Times, rising from zero, s.
@@ -101,7 +102,7 @@ pub struct FractionByTime {
 }
 
 /// Section `[locomotive_brake]`: the brake that only acts on the locomotives.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LocomotiveBrake {
     /// Force of all shoes over the weight when fully applied.
@@ -113,7 +114,7 @@ pub struct LocomotiveBrake {
 }
 
 /// Section `[hand_brake]`: what the consist file applies.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HandBrake {
     /// Force of all shoes over the weight when fully applied.

@@ -16,6 +16,7 @@
 use std::path::Path;
 
 use files::{Document, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Most vehicles a train may have.
@@ -42,13 +43,13 @@ pub struct Member {
     pub hand_brake: f64,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ConsistFile {
     vehicle: Vec<Block>,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Block {
     r#type: String,

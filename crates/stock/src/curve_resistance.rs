@@ -1,10 +1,11 @@
 //! The keys of section `[resistance]` of the vehicle file on curves.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Formula of the curve resistance; the train model has the formulas themselves.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum CurveFormula {
     /// Proportional to mass and curvature, by `curve_n_m_per_t`.
@@ -19,7 +20,7 @@ pub enum CurveFormula {
 }
 
 /// Curve resistance over curvature.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CurveTable {
     /// Curvatures, rising from zero, 1/km.

@@ -22,6 +22,11 @@ pub struct Library {
 }
 
 impl Library {
+    /// The JSON schema of draft-gear files.
+    pub fn draft_gear_schema() -> schemars::Schema {
+        schemars::schema_for!(GearFile)
+    }
+
     /// The library in the folder `root`.
     ///
     /// # Errors
@@ -88,7 +93,7 @@ impl Library {
     /// # Errors
     /// When its file cannot be read or has a value that is not possible.
     pub fn draft_gear(&self, name: &str) -> Result<DraftGear, Mistake> {
-        let file = self.root.join("draft_gears").join(format!("{name}.toml"));
+        let file = self.draft_gear_path(name);
         let document = Document::read(&file)?;
         document.parse::<GearFile>()?.compile(&document.check())
     }
@@ -122,11 +127,22 @@ impl Library {
     }
 
     /// The names of all vehicle types in order.
-    fn vehicle_names(&self) -> Vec<String> {
+    pub fn vehicle_names(&self) -> Vec<String> {
         names(&self.root.join("vehicles"))
     }
 
-    fn vehicle_path(&self, name: &str) -> PathBuf {
+    /// The names of all draft gears in order.
+    pub fn draft_gear_names(&self) -> Vec<String> {
+        names(&self.root.join("draft_gears"))
+    }
+
+    /// The file of the draft gear `name`.
+    pub fn draft_gear_path(&self, name: &str) -> PathBuf {
+        self.root.join("draft_gears").join(format!("{name}.toml"))
+    }
+
+    /// The file of the vehicle type `name`.
+    pub fn vehicle_path(&self, name: &str) -> PathBuf {
         self.root.join("vehicles").join(format!("{name}.toml"))
     }
 

@@ -1,13 +1,14 @@
 //! Sections of the vehicle file that only locomotives have: traction and dynamic brake.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Number of the highest notch.
 pub const NOTCHES: usize = 8;
 
 /// Section `[traction]`: effort by notch and speed.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Traction {
     /// Power for traction in the highest notch, kW; none: the effort alone limits.
@@ -32,7 +33,7 @@ pub struct Traction {
 }
 
 /// Efforts of the notches 1 to 8 by speed.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EffortByNotch {
     /// Speeds, rising from zero, km/h.
@@ -50,7 +51,7 @@ fn eighths() -> Vec<f64> {
 }
 
 /// Section `[dynamic_brake]`: full effort by speed.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DynamicBrake {
     /// Time from nothing to full, s.
@@ -60,7 +61,7 @@ pub struct DynamicBrake {
 }
 
 /// A force by speed, constant beyond its points.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EffortBySpeed {
     /// Speeds, rising from zero, km/h. One that stands twice is a corner of a spline.
@@ -73,7 +74,7 @@ pub struct EffortBySpeed {
 }
 
 /// What lies between two points of a table.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Between {
     /// A straight line.
@@ -84,7 +85,7 @@ pub enum Between {
 }
 
 /// A ratio by speed, linear between its points and constant beyond them.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ValueBySpeed {
     /// Speeds, rising from zero, km/h.

@@ -3,13 +3,14 @@
 //! The formulas themselves are those of the train model; here stands what each needs from the file.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::curve_resistance::{CurveFormula, CurveTable};
 use crate::propulsion::EffortBySpeed;
 
 /// Formula of the propulsion resistance.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ResistanceFormula {
     /// `constant m + axle n + linear m V + quadratic V²` with the coefficients of the file.
@@ -30,7 +31,7 @@ pub enum ResistanceFormula {
 }
 
 /// Section `[resistance]`: propulsion and curve resistance.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Resistance {
     /// Formula of the propulsion resistance.

@@ -31,6 +31,7 @@
 use std::path::Path;
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::brake::{Brake, HandBrake, LocomotiveBrake};
@@ -39,7 +40,7 @@ use crate::propulsion::{DynamicBrake, Traction};
 use crate::resistance::Resistance;
 
 /// A type of vehicle.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Vehicle {
     /// Name for people.
@@ -77,7 +78,7 @@ pub struct Vehicle {
 }
 
 /// Section `[coupler]`: what stands at either end of the vehicle.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Coupler {
     /// What it couples to: the same kind at the neighbour's end. "automatic", "screw", "drawbar" or
@@ -93,7 +94,7 @@ pub struct Coupler {
 }
 
 /// Section `[coupler.rear]`.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RearCoupler {
     /// What it couples to, as at the front.

@@ -8,6 +8,8 @@
 //! | `creep/` | `hotfoot creep`: creep forces, friction power and flash temperature |
 //! | `modes.rs` | `hotfoot modes`: natural frequencies, damping and shapes of a vehicle |
 //! | `critical_speed.rs` | `hotfoot critical-speed`: the speed at which it becomes unstable |
+//! | `rolling_stock/` | `hotfoot stock`: the rolling-stock library as a list |
+//! | `schema.rs` | `hotfoot schema`: what may stand in the files of a train |
 //! | `train_files.rs` | the files of a train, read as the models read them |
 //! | `plot.rs` | the page of curves that the two draw with `--plot` |
 //! | `vehicle_argument.rs`, `number.rs` | the vehicle that a command is about, and the numbers of options |
@@ -22,6 +24,8 @@ mod error;
 pub mod modes;
 pub mod number;
 mod plot;
+pub mod rolling_stock;
+pub mod schema;
 pub mod train_files;
 mod vehicle_argument;
 

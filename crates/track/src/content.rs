@@ -26,66 +26,90 @@
 //! `support.rs` and `friction.rs`.
 
 use numerics::Interpolation;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{friction, irregularity, support};
 
 /// What a track file says.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Content {
+    /// Chainage at which the first element of the alignment begins, m.
     #[serde(default)]
     pub start_m: f64,
+    /// Elements of the designed line, one behind the other; instead of `curvature`.
     #[serde(default)]
     pub alignment: Vec<Element>,
+    /// Curvature and cant by points; instead of `alignment`.
     #[serde(default)]
     pub curvature: Vec<CurvaturePoint>,
+    /// What lies between the points of the curvature.
     #[serde(default)]
     pub curvature_interpolation: Between,
+    /// Gradient by points; constant before the first and behind the last.
     #[serde(default)]
     pub gradient: Vec<GradientPoint>,
+    /// What lies between the points of the gradient.
     #[serde(default)]
     pub gradient_interpolation: Between,
+    /// Irregularities of the rails.
     #[serde(default)]
     pub irregularity: irregularity::Section,
+    /// What the rails give way on; left out: they do not give way.
     pub support: Option<support::Section>,
+    /// How slippery the rails are, by points.
     #[serde(default)]
     pub friction: Vec<friction::Point>,
 }
 
-#[derive(Debug, Deserialize)]
+/// An element of the alignment.
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Element {
+    /// Length, m.
     pub length_m: f64,
+    /// Whether curvature and cant go linearly to the next element's.
     #[serde(default)]
     pub transition: bool,
+    /// Radius, m, positive in a right-hand curve; left out: straight.
     pub radius_m: Option<f64>,
+    /// Cant, mm.
     #[serde(default)]
     pub cant_mm: f64,
 }
 
-#[derive(Debug, Deserialize)]
+/// A point of the curvature.
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct CurvaturePoint {
+    /// Where, m.
     pub chainage_m: f64,
+    /// 1000 m over the radius, 1/km, positive in a right-hand curve.
     pub per_km: f64,
+    /// Cant, mm.
     #[serde(default)]
     pub cant_mm: f64,
 }
 
-#[derive(Debug, Deserialize)]
+/// A point of the gradient.
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct GradientPoint {
+    /// Where, m.
     pub chainage_m: f64,
+    /// Rise of the track, ‰, positive uphill.
     pub permille: f64,
 }
 
 /// What lies between two points.
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Between {
+    /// A straight line.
     #[default]
     Linear,
+    /// A cubic spline.
     Cubic,
 }
 

@@ -42,6 +42,11 @@ impl TrackFile {
         Ok(Self { document, content, folder })
     }
 
+    /// The JSON schema of such files.
+    pub fn schema() -> schemars::Schema {
+        schemars::schema_for!(Content)
+    }
+
     /// Its text.
     pub fn text(&self) -> &str {
         self.document.text()

@@ -13,6 +13,7 @@
 
 use files::{Check, Mistake};
 use numerics::{Interpolation, Piecewise};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::chainages::check_order;
@@ -22,10 +23,12 @@ use crate::chainages::check_order;
 pub struct Friction(Option<Piecewise>);
 
 /// A point as it stands in the file.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Point {
+    /// Where, m.
     chainage_m: f64,
+    /// Factor of the vehicles' friction coefficient.
     factor: f64,
 }
 

@@ -9,6 +9,7 @@
 //! ```
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Stiffness and damping of one rail under one wheel, across and down.
@@ -21,12 +22,16 @@ pub struct Support {
 }
 
 /// The section as it stands in the file.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Section {
+    /// Lateral stiffness of a rail under a wheel, N/m.
     lateral_stiffness_n_m: f64,
+    /// Lateral damping, N s/m.
     lateral_damping_n_s_m: f64,
+    /// Vertical stiffness, N/m.
     vertical_stiffness_n_m: f64,
+    /// Vertical damping, N s/m.
     vertical_damping_n_s_m: f64,
 }
 

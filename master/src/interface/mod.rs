@@ -34,6 +34,18 @@ pub enum VariableType {
     Text,
 }
 
+impl VariableType {
+    /// Its name in model descriptions.
+    pub fn fmi_name(self) -> &'static str {
+        match self {
+            Self::Real => "Real",
+            Self::Integer => "Integer",
+            Self::Boolean => "Boolean",
+            Self::Text => "String",
+        }
+    }
+}
+
 /// A variable as far as a master needs it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {

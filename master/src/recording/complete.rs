@@ -1,8 +1,6 @@
 //! The tables of a run that was killed, completed: all that it recorded becomes one file a table, as at
 //! the end of a run, and all tables end at the same record.
 
-use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use arrow_array::RecordBatch;
@@ -12,7 +10,9 @@ use arrow_schema::SchemaRef;
 use arrow_select::concat::concat_batches;
 
 use super::open_part::left_records;
-use super::parts::{joined_file, part_files, parts_folder, remove_folder, rows_of, write_file};
+use super::parts::{
+    joined_file, part_files, parts_folder, remove_folder, rows_of, table_names, write_file,
+};
 use super::reader::schema_of;
 use super::{RAIL_TABLE, RecordingError};
 
@@ -38,7 +38,7 @@ pub struct Recorded {
 /// When a file cannot be read or written; what is not completed then stays as it is.
 pub fn complete(folder: &Path, rails_continue: bool) -> Result<Option<Recorded>, RecordingError> {
     let mut tables = vec![];
-    for name in names(folder)? {
+    for name in table_names(folder)? {
         tables.push(Table::read(folder, name)?);
     }
     let of_run: Option<Vec<Recorded>> = tables.iter().map(|table| table.recorded).collect();
@@ -54,19 +54,6 @@ pub fn complete(folder: &Path, rails_continue: bool) -> Result<Option<Recorded>,
         table.complete(if stays { f64::INFINITY } else { end })?;
     }
     Ok(Some(Recorded { begin: first.begin, end }))
-}
-
-/// Names of the tables in a folder.
-fn names(folder: &Path) -> Result<BTreeSet<String>, RecordingError> {
-    let mut names = BTreeSet::new();
-    for entry in fs::read_dir(folder).map_err(RecordingError::file(folder))? {
-        let entry = entry.map_err(RecordingError::file(folder))?.file_name();
-        let entry = entry.to_string_lossy();
-        let name = entry.strip_suffix(".parts").or(entry.strip_suffix(".parquet"));
-        // A hidden file is one that was being written.
-        names.extend(name.filter(|name| !name.starts_with('.')).map(str::to_owned));
-    }
-    Ok(names)
 }
 
 /// A table as a run has left it.

@@ -10,6 +10,7 @@
 //! | `cut.rs` | cuts a table for a run that goes on |
 //! | `open_part.rs` | the records since the last part, for when the program dies |
 //! | `complete.rs` | the tables of a run that was killed, completed |
+//! | `csv_copy.rs` | the tables as comma-separated values |
 //! | `reader.rs` | reads a column of a table, of a finished or of a killed run |
 //!
 //! Nothing here knows FMUs, and nothing in a file depends on the clock, on threads or on the
@@ -18,6 +19,7 @@
 mod accumulator;
 mod column;
 mod complete;
+mod csv_copy;
 mod cut;
 mod open_part;
 mod parts;
@@ -36,6 +38,8 @@ use parquet::errors::ParquetError;
 
 pub use column::{Column, Key, KeyValues};
 pub use complete::{Recorded, complete};
+pub use csv_copy::copy_as_csv;
+pub use parts::table_names;
 pub use reader::{KeyValue, SeriesReader};
 pub use tables::{Side, VehicleRow, WheelRow, vehicle_keys, vehicle_keys_of, wheel_keys};
 pub use writer::{SeriesWriter, TableState};
@@ -128,6 +132,12 @@ impl RecordingError {
     fn file(file: &Path) -> impl FnOnce(std::io::Error) -> Self {
         let file = file.to_owned();
         |source| Self::File { file, source }
+    }
+
+    /// An error of writing rows into `file`.
+    fn csv(file: &Path) -> impl Fn(csv::Error) -> Self {
+        let file = file.to_owned();
+        move |error| Self::File { file: file.clone(), source: error.into() }
     }
 
     /// An error of writing `file`, which is the file system's where that has refused.

@@ -25,6 +25,7 @@
 //! A kill -9 loses nothing that a rename has made visible. Files are not forced to the disk
 //! with fsync, so a power failure may lose more than a second.
 
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -128,6 +129,22 @@ pub(super) fn remove_folder(parts: &Path) -> Result<(), RecordingError> {
         true => fs::remove_dir_all(parts).map_err(RecordingError::file(parts)),
         false => Ok(()),
     }
+}
+
+/// Names of the tables in a folder.
+///
+/// # Errors
+/// When it cannot be read.
+pub fn table_names(folder: &Path) -> Result<BTreeSet<String>, RecordingError> {
+    let mut names = BTreeSet::new();
+    for entry in fs::read_dir(folder).map_err(RecordingError::file(folder))? {
+        let entry = entry.map_err(RecordingError::file(folder))?.file_name();
+        let entry = entry.to_string_lossy();
+        let name = entry.strip_suffix(".parts").or(entry.strip_suffix(".parquet"));
+        // A hidden file is one that was being written.
+        names.extend(name.filter(|name| !name.starts_with('.')).map(str::to_owned));
+    }
+    Ok(names)
 }
 
 /// The files that hold the table `name`, in the order of time: the joined file, or the parts of

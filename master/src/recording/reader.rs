@@ -83,6 +83,49 @@ impl SeriesReader {
         Ok(values)
     }
 
+    /// The keys of the rows of an instant, such as `2,1,left`; one empty text in a table without keys.
+    ///
+    /// # Errors
+    /// When a file cannot be read.
+    pub fn rows(&self) -> Result<Vec<String>, RecordingError> {
+        let is_key = |field: &&Field| matches!(field.data_type(), DataType::Int32 | DataType::Utf8);
+        let names: Vec<&String> = self.columns().filter(is_key).map(Field::name).collect();
+        let mut rows: Vec<String> = vec![];
+        let mut is_over = false;
+        self.each_batch(|batch| {
+            let columns = names.iter().filter_map(|name| batch.column_by_name(name));
+            let columns: Vec<_> = columns.collect();
+            for row in 0..batch.num_rows() {
+                let keys = columns.iter().map(|column| cell(column.as_ref(), row));
+                let keys = keys.collect::<Vec<_>>().join(",");
+                // The next instant begins with the same keys.
+                is_over |= rows.first() == Some(&keys);
+                if is_over {
+                    break;
+                }
+                rows.push(keys);
+            }
+            Ok(())
+        })?;
+        Ok(rows)
+    }
+
+    /// Gives all rows to `take`, in the order of time, some at once.
+    ///
+    /// # Errors
+    /// When a file cannot be read, or `take` has an error.
+    pub(super) fn each_batch(
+        &self,
+        mut take: impl FnMut(&RecordBatch) -> Result<(), RecordingError>,
+    ) -> Result<(), RecordingError> {
+        for file in &self.files {
+            for batch in open(file)?.build().map_err(RecordingError::parquet(file))? {
+                take(&batch.map_err(RecordingError::parquet(file))?)?;
+            }
+        }
+        Ok(())
+    }
+
     fn index(&self, column: &str) -> Result<usize, RecordingError> {
         self.schema.index_of(column).map_err(|_| {
             let names: Vec<_> = self.columns().map(|field| field.name().as_str()).collect();
@@ -115,6 +158,19 @@ fn has(batch: &RecordBatch, column: usize, row: usize, wanted: KeyValue<'_>) -> 
         }
         KeyValue::Text(wanted) => {
             column.as_string_opt::<i32>().is_some_and(|column| column.value(row) == wanted)
+        }
+    }
+}
+
+/// A value with as few digits as tell it from its neighbours.
+pub(super) fn cell(column: &dyn Array, row: usize) -> String {
+    match column.data_type() {
+        DataType::Float64 => format!("{:?}", column.as_primitive::<Float64Type>().value(row)),
+        DataType::Float32 => format!("{:?}", column.as_primitive::<Float32Type>().value(row)),
+        DataType::Int32 => column.as_primitive::<Int32Type>().value(row).to_string(),
+        _ => {
+            let names = column.as_string_opt::<i32>();
+            names.map(|names| names.value(row)).unwrap_or_default().to_owned()
         }
     }
 }

@@ -22,11 +22,13 @@
 //! | `page.rs` | the page, from `templates/report.html` |
 //! | `system.rs` | the page of a system of which nothing is known but its variables |
 //! | `write.rs` | all of it: from a results folder to `report.html` |
+//! | `compare/` | runs and measurements beside each other |
 //! | `error.rs` | why a report cannot be made |
 //!
 //! The page refers to nothing outside itself: drawings are inline SVG or drawn by inline scripts.
 
 mod collect;
+pub mod compare;
 mod data;
 mod error;
 mod facts;

@@ -17,9 +17,10 @@ use super::verdict::{Verdict, verdict};
 use super::wall_times::{WallTimes, wall_times};
 
 /// Pages and what they are made of.
-const TEMPLATES: [(&str, &str); 6] = [
+const TEMPLATES: [(&str, &str); 7] = [
     ("page.html", include_str!("../../templates/page.html")),
     ("style.css", include_str!("../../templates/style.css")),
+    ("compare.html", include_str!("../../templates/compare.html")),
     ("figure.html", include_str!("../../templates/figure.html")),
     ("provenance.html", include_str!("../../templates/provenance.html")),
     ("report.html", include_str!("../../templates/report.html")),

@@ -6,21 +6,33 @@ pub(super) const UPLOT: &str = include_str!("../../templates/vendor/uplot/uPlot.
 /// Its styles.
 pub(super) const UPLOT_STYLE: &str = include_str!("../../templates/vendor/uplot/uPlot.min.css");
 
-/// The modules of the linked view, each after those that it imports.
-const MODULES: [&str; 8] = [
+/// Numbers, colours and panels, each module after those that it imports.
+const DRAWING: [&str; 3] = [
     include_str!("../../templates/instrument/numbers.js"),
-    include_str!("../../templates/instrument/run.js"),
     include_str!("../../templates/instrument/colours.js"),
     include_str!("../../templates/instrument/panel.js"),
+];
+
+/// The modules of the linked view.
+const MODULES: [&str; 5] = [
+    include_str!("../../templates/instrument/run.js"),
     include_str!("../../templates/instrument/along_track.js"),
     include_str!("../../templates/instrument/heat_map.js"),
     include_str!("../../templates/instrument/over_time.js"),
     include_str!("../../templates/instrument/main.js"),
 ];
 
-/// The modules as one: a page that is one file has nothing to import from.
+/// The module of a comparison.
+const COMPARISON: &str = include_str!("../../templates/compare/main.js");
+
+/// The modules of the linked view as one: a page that is one file has nothing to import from.
 pub(super) fn instrument() -> String {
-    MODULES.iter().flat_map(|module| joinable(module)).collect()
+    DRAWING.iter().chain(&MODULES).flat_map(|module| joinable(module)).collect()
+}
+
+/// The modules of a comparison as one.
+pub(super) fn comparison() -> String {
+    DRAWING.iter().chain([&COMPARISON]).flat_map(|module| joinable(module)).collect()
 }
 
 /// The lines of a module without its imports, and without the word `export`.
@@ -43,9 +55,10 @@ mod tests {
     /// Imports take one line each, and no script ends the element that holds it.
     #[test]
     fn the_script_can_stand_in_a_page() {
-        let script = instrument();
-        for unwanted in ["import {", " from './", "</script", "<!--"] {
-            assert!(!script.contains(unwanted), "{unwanted}");
+        for script in [instrument(), comparison()] {
+            for unwanted in ["import {", " from './", "</script", "<!--"] {
+                assert!(!script.contains(unwanted), "{unwanted}");
+            }
         }
         assert!(!UPLOT.contains("</script") && UPLOT.contains("uPlot"));
     }

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use files::Setting;
+
 use super::error::RunError;
 use super::scenario::setup;
 use crate::files::file_error::FileError;
@@ -9,15 +11,19 @@ use crate::scenario;
 use crate::system::unit::terminate;
 use crate::train::fmus::Folders;
 
-/// Sets a scenario up and initialises its units as its run does; Hotfoot's own FMUs lie in `fmus`.
+/// Sets a scenario up with these settings and initialises its units as its run does; Hotfoot's own FMUs lie in `fmus`.
 ///
 /// Gives what the run will say before its first step, in sentences.
 ///
 /// # Errors
 /// When something is wrong for which the run would not begin.
-pub fn check_until_start(path: &Path, fmus: &Path) -> Result<Vec<String>, RunError> {
+pub fn check_until_start(
+    path: &Path,
+    settings: &[Setting],
+    fmus: &Path,
+) -> Result<Vec<String>, RunError> {
     let folder = tempfile::tempdir().map_err(FileError::at(path))?;
-    let (scenario, file, text) = scenario::load(path, &[])?;
+    let (scenario, file, text) = scenario::load(path, settings)?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().to_owned() };
     let mut setup = setup(scenario, (&file, text), &folders, 1)?;
     setup.initialize()?;

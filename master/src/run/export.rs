@@ -5,6 +5,8 @@
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
+use files::Setting;
+
 use super::error::RunError;
 use super::scenario::placed;
 use super::sources::Sources;
@@ -25,12 +27,17 @@ pub struct Exported {
     pub connections: usize,
 }
 
-/// Writes the scenario at `path` as the package `target`; Hotfoot's own FMUs lie in `fmus`.
+/// Writes the scenario at `path`, with these settings, as the package `target`; Hotfoot's own FMUs lie in `fmus`.
 ///
 /// # Errors
 /// When the scenario is wrong, a unit fails, or the package cannot be written.
-pub fn export(path: &Path, fmus: &Path, target: &Path) -> Result<Exported, RunError> {
-    let (scenario, file, _) = scenario::load(path, &[])?;
+pub fn export(
+    path: &Path,
+    settings: &[Setting],
+    fmus: &Path,
+    target: &Path,
+) -> Result<Exported, RunError> {
+    let (scenario, file, _) = scenario::load(path, settings)?;
     let folder = tempfile::tempdir().map_err(FileError::at(target))?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().join("results") };
     let train = placed(&scenario, &file, &folders)?;

@@ -1,8 +1,10 @@
 //! What a finished run tells on the terminal.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
+
+use serde::Serialize;
 
 use super::stop::Stopped;
 use crate::report::MainFigure;
@@ -30,6 +32,39 @@ impl Finished {
     pub fn stopped(&self) -> Option<Stopped> {
         self.done.stopped
     }
+
+    /// The same for a script, of a run in this folder of results.
+    pub fn summary(&self, results: &Path) -> Summary<'_> {
+        Summary {
+            results: results.display().to_string(),
+            report: self.report.display().to_string(),
+            name: self.name.as_deref(),
+            end: if self.stopped().is_some() { "interrupted" } else { "complete" },
+            simulated_s: self.done.simulated,
+            wall_time_s: self.done.wall.as_secs_f64(),
+            threads: self.threads,
+            figures: &self.figures,
+            caution: self.caution,
+            warnings: &self.warnings,
+        }
+    }
+}
+
+/// What a finished run tells a script.
+#[derive(Debug, Serialize)]
+pub struct Summary<'f> {
+    results: String,
+    report: String,
+    /// Name of the system, where it is not a train of a scenario.
+    name: Option<&'f str>,
+    /// `complete` or `interrupted`.
+    end: &'static str,
+    simulated_s: f64,
+    wall_time_s: f64,
+    threads: usize,
+    figures: &'f [MainFigure],
+    caution: Option<&'static str>,
+    warnings: &'f [String],
 }
 
 /// How far a run has come, and in which wall time.
@@ -48,7 +83,26 @@ pub(crate) struct Done {
 }
 
 impl fmt::Display for Finished {
+    /// First the physics, then what was hardly meant, and at last where the time went.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(caution) = self.caution {
+            writeln!(f, "{caution}\n")?;
+        }
+        let width =
+            self.figures.iter().map(|figure| figure.name.chars().count()).max().unwrap_or(0);
+        for MainFigure { name, text, location, .. } in &self.figures {
+            writeln!(f, "{name:<width$} {text:<14} {location}")?;
+        }
+        for warning in &self.warnings {
+            writeln!(f, "warning: {warning}")?;
+        }
+        self.write_times(f)?;
+        write!(f, "report: {}", self.report.display())
+    }
+}
+
+impl Finished {
+    fn write_times(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Done { simulated, rails, wall, steps, .. } = &self.done;
         let wall = wall.as_secs_f64();
         if let Some(name) = &self.name {
@@ -77,23 +131,7 @@ impl fmt::Display for Finished {
             }
             write!(f, "), ")?;
         }
-        writeln!(
-            f,
-            "exchange {:.1} µs, recording {:.1} µs",
-            per_step(times.exchange),
-            per_step(times.recording)
-        )?;
-        if let Some(caution) = self.caution {
-            writeln!(f, "\n{caution}\n")?;
-        }
-        let width =
-            self.figures.iter().map(|figure| figure.name.chars().count()).max().unwrap_or(0);
-        for MainFigure { name, text, location, .. } in &self.figures {
-            writeln!(f, "{name:<width$} {text:<14} {location}")?;
-        }
-        for warning in &self.warnings {
-            writeln!(f, "warning: {warning}")?;
-        }
-        write!(f, "report: {}", self.report.display())
+        let (exchange, recording) = (per_step(times.exchange), per_step(times.recording));
+        writeln!(f, "exchange {exchange:.1} µs, recording {recording:.1} µs")
     }
 }

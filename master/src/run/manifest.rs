@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::begun::{command, utc};
+use super::chosen_outputs::ChosenOutputs;
 use super::folder::contents::MANIFEST;
 use super::output_table::table_name;
 use crate::files::file_error::{FileError, read_toml, write_whole};
@@ -149,7 +150,9 @@ impl Manifest {
         if let Some(facts) = &mut self.system {
             facts.wall_time_s = Some(wall.as_secs_f64());
             facts.recording_s = times.recording.as_secs_f64();
-            facts.component = component_facts(system);
+            for (component, part) in facts.component.iter_mut().zip(&system.parts) {
+                component.wall_time_s = part.wall.as_secs_f64();
+            }
         }
         let of_stages = stages.iter().cloned().zip(times.stages.iter().copied());
         let others = [
@@ -222,12 +225,12 @@ fn file_name(path: &str) -> String {
     Path::new(path).file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// What the run knows of each component.
-pub fn component_facts(system: &System) -> Vec<ComponentFacts> {
+/// What the run knows of each component, of which these outputs are recorded.
+pub fn component_facts(system: &System, chosen: &ChosenOutputs) -> Vec<ComponentFacts> {
     let facts = |part: &Part| ComponentFacts {
         name: part.unit.name().to_owned(),
         fmu: file_name(part.unit.source_file()),
-        series: table_name(part.unit.as_ref()),
+        series: table_name(part.unit.as_ref(), chosen),
         wall_time_s: part.wall.as_secs_f64(),
     };
     system.parts.iter().map(facts).collect()

@@ -5,7 +5,7 @@
 //! | `mod.rs` | the run |
 //! | `options.rs`, `setup.rs`, `scenario.rs`, `package.rs`, `source.rs` | what is run, and how |
 //! | `perform.rs`, `stepping.rs` | its course, and its steps |
-//! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `observe_error.rs` | what is recorded |
+//! | `recorder.rs`, `step_table.rs`, `output_table.rs`, `train_tables.rs`, `outputs.rs`, `chosen_outputs.rs`, `observe_error.rs` | what is recorded |
 //! | `after.rs` | what the rails go through after the run |
 //! | `checkpoint` | from where a run can go on |
 //! | `begun.rs`, `manifest.rs`, `finished.rs` | what made the results, and what is told of them |
@@ -22,6 +22,7 @@ mod after;
 mod begun;
 mod check_until_start;
 mod checkpoint;
+mod chosen_outputs;
 pub mod error;
 pub mod expected;
 mod export;

@@ -25,6 +25,14 @@ pub enum OutputsError {
     /// No vehicle has such an output.
     #[error(transparent)]
     None(Mistake),
+    /// No component of a package has an output that fits.
+    #[error("--record '{pattern}': no output that is a number has this name{meant}")]
+    Pattern {
+        /// What was to be recorded.
+        pattern: String,
+        /// What is likely meant, or what there is.
+        meant: String,
+    },
     /// Two vehicles have it in two units.
     #[error(
         "record.outputs: \"{name}\" is in \"{unit}\" in vehicle {vehicle}, but in \"{other}\" in one \

@@ -27,6 +27,9 @@ pub struct Options {
     pub same_thread: bool,
     /// Names of components whose FMUs run in processes of their own; `all` stands for all.
     pub isolate: Vec<String>,
+    /// Outputs that are recorded, by patterns: of a package `component.output`, of a scenario's recorded
+    /// vehicles `output`, in place of its `record.outputs`.
+    pub record: Vec<String>,
     /// No progress bar.
     pub quiet: bool,
 }

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
+use super::chosen_outputs::{ChosenOutputs, numbers};
 use super::observe_error::ObserveError;
 use crate::interface::{Variable, VariableType};
 use crate::recording::{Column, Key, SeriesWriter, TIME};
@@ -110,12 +111,6 @@ impl Row {
     }
 }
 
-/// The outputs of a unit that are numbers and `wanted`: Real, Integer, Boolean.
-fn numbers<'u>(unit: &'u dyn Unit, wanted: &impl Fn(&Variable) -> bool) -> Vec<&'u Variable> {
-    let outputs = unit.interface().variables().into_iter().filter(|v| v.causality == "output");
-    outputs.filter(|v| v.kind != VariableType::Text && wanted(v)).collect()
-}
-
 fn column(variable: &Variable) -> Column {
     let unit = variable.unit.as_deref().unwrap_or("1");
     Column::new(column_name(variable), unit, &variable.description).double()
@@ -129,13 +124,16 @@ fn column_name(output: &Variable) -> &str {
     }
 }
 
-/// Says which outputs of a system have columns of another name.
-pub fn renamed(system: &System) -> Vec<String> {
+/// Says which of the chosen outputs of a system have columns of another name.
+pub fn renamed(system: &System, chosen: &ChosenOutputs) -> Vec<String> {
     let sentence = |unit: &dyn Unit| {
         let output = unit.interface().variable(TIME)?;
         let other = column_name(output);
-        (output.causality == "output" && output.kind != VariableType::Text).then(|| {
-            let component = unit.name();
+        let component = unit.name();
+        let is_recorded = output.causality == "output"
+            && output.kind != VariableType::Text
+            && chosen.contain(component, TIME);
+        is_recorded.then(|| {
             format!(
                 "the output '{TIME}' of {component} is recorded as '{other}', since '{TIME}' is the \
                  column of the simulated time"
@@ -145,12 +143,12 @@ pub fn renamed(system: &System) -> Vec<String> {
     system.units().filter_map(sentence).collect()
 }
 
-/// Says which components of a system would have tables of the same name.
-pub fn same_tables(system: &System) -> Vec<String> {
+/// Says which components of a system would have tables of the same name, of their chosen outputs.
+pub fn same_tables(system: &System, chosen: &ChosenOutputs) -> Vec<String> {
     let mut first: HashMap<String, &str> = HashMap::new();
     let mut problems = vec![];
     for unit in system.units() {
-        let Some(table) = table_name(unit) else { continue };
+        let Some(table) = table_name(unit, chosen) else { continue };
         // Folders of some systems do not tell capitals from small letters.
         match first.get(&table.to_lowercase()) {
             Some(other) => problems.push(format!(
@@ -164,12 +162,14 @@ pub fn same_tables(system: &System) -> Vec<String> {
     problems
 }
 
-/// Name of the table of a component: its own, as that of a file; none if it has no output that is a
-/// number.
-pub fn table_name(component: &dyn Unit) -> Option<String> {
+/// Name of the table of a component: its own, as that of a file; none if none of its chosen outputs is
+/// a number.
+pub fn table_name(component: &dyn Unit, chosen: &ChosenOutputs) -> Option<String> {
     let plain = |c: char| if c.is_alphanumeric() || "._-[]".contains(c) { c } else { '_' };
-    let has_numbers = !numbers(component, &|_| true).is_empty();
-    has_numbers.then(|| component.name().chars().map(plain).collect())
+    let name = component.name();
+    let wanted = |output: &Variable| chosen.contain(name, &output.name);
+    let has_numbers = !numbers(component, &wanted).is_empty();
+    has_numbers.then(|| name.chars().map(plain).collect())
 }
 
 #[cfg(test)]
@@ -205,7 +205,7 @@ mod tests {
         assert_eq!(table.read("time", &[]).unwrap(), [0.5]);
         assert_eq!(table.read("time (output)", &[]).unwrap(), [100.0]);
         assert_eq!(table.read("work", &[]).unwrap(), [0.5]);
-        let sentences = renamed(&system);
+        let sentences = renamed(&system, &ChosenOutputs::default());
         assert!(
             sentences[0].contains("'time' of m is recorded as 'time (output)'"),
             "{sentences:?}"
@@ -220,7 +220,7 @@ mod tests {
         };
         let parts = vec![part("wagon 1"), part("wagon_2"), part("Wagon/1")];
         let system = System::new(Clock { start: 0.0, length: 0.5 }, parts);
-        let [problem] = same_tables(&system).try_into().unwrap();
+        let [problem] = same_tables(&system, &ChosenOutputs::default()).try_into().unwrap();
         assert!(problem.contains("'wagon 1' and 'Wagon/1' would both have the table"), "{problem}");
     }
 }

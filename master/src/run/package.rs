@@ -3,10 +3,12 @@
 use std::path::Path;
 
 use super::after::Rails;
+use super::chosen_outputs::{ChosenOutputs, numbers};
 use super::error::RunError;
 use super::manifest::{Manifest, component_facts};
+use super::observe_error::ObserveError;
 use super::options::Options;
-use super::output_table::{renamed, same_tables, table_name};
+use super::output_table::{renamed, same_tables};
 use super::setup::{Setup, Subject};
 use super::source;
 use crate::report::SystemFacts;
@@ -55,13 +57,15 @@ pub(crate) fn setup(
     let (clock, steps, every) = times_of(&structure, &options.times)?;
     let mut system = ssp::open(&structure, &imports, &file, clock)?;
     system.set_checks(options.checks.unwrap_or_default());
-    let problems = same_tables(&system);
+    let chosen = ChosenOutputs::new(&options.record, &structure.given, &system);
+    let chosen = chosen.map_err(ObserveError::from)?;
+    let problems = same_tables(&system, &chosen);
     if !problems.is_empty() {
         return Err(SspError::Unfit { file, problems }.into());
     }
     let mut manifest = Manifest::new(&system);
     manifest.warnings.clone_from(&structure.notes);
-    manifest.warnings.extend(renamed(&system));
+    manifest.warnings.extend(renamed(&system, &chosen));
     manifest.warnings.extend(without_outputs(&system));
     manifest.system = Some(SystemFacts {
         name: structure.name.clone(),
@@ -71,17 +75,17 @@ pub(crate) fn setup(
         threads,
         wall_time_s: None,
         recording_s: 0.0,
-        component: component_facts(&system),
+        component: component_facts(&system, &chosen),
     });
     let stages = stage_names(&structure, &system);
-    let (stop, subject) = (clock.at(steps), Subject::Package(every));
+    let (stop, subject) = (clock.at(steps), Subject::Package(every, chosen));
     let rails = Rails::default();
     Ok(Setup { system, stages, steps, stop, subject, rails, manifest, recorded: false })
 }
 
 /// Says of which components nothing is recorded.
 fn without_outputs(system: &System) -> Vec<String> {
-    let silent = system.units().filter(|unit| table_name(*unit).is_none());
+    let silent = system.units().filter(|unit| numbers(*unit, &|_| true).is_empty());
     let sentence = |unit: &dyn Unit| {
         let (name, file) = (unit.name(), unit.source_file());
         format!("{name} ({file}) has no outputs that are numbers: nothing of it is recorded")

@@ -2,10 +2,12 @@
 
 use std::path::Path;
 
+use super::chosen_outputs::ChosenOutputs;
 use super::observe_error::ObserveError;
 use super::output_table::{OutputTable, table_name};
 use super::step_table::StepTable;
 use crate::fmi::watched;
+use crate::interface::Variable;
 use crate::recording::{SeriesWriter, TableState};
 use crate::report::EnergyLine;
 use crate::system::step::{System, WishToEnd};
@@ -28,18 +30,24 @@ pub struct Recorder {
 
 impl Recorder {
     /// Begins the series of a system in `folder`, with a record every so many steps: a table for each
-    /// component with all its outputs that are numbers.
+    /// component with those of its outputs that are chosen and numbers.
     ///
     /// # Errors
     /// When the folder cannot be written.
-    pub fn of_components(system: &System, every: u64, folder: &Path) -> Result<Self, ObserveError> {
+    pub fn of_components(
+        system: &System,
+        (every, chosen): (u64, &ChosenOutputs),
+        folder: &Path,
+    ) -> Result<Self, ObserveError> {
         let interval = every as f64 * system.clock.length;
         let per_part = (PART_S / interval).ceil() as usize;
         let mut recorder = Self { every, ..Self::default() };
         for (number, part) in system.parts.iter().enumerate() {
-            let Some(name) = table_name(part.unit.as_ref()) else { continue };
+            let unit = part.unit.as_ref();
+            let Some(name) = table_name(unit, chosen) else { continue };
+            let wanted = |output: &Variable| chosen.contain(unit.name(), &output.name);
             let series = (folder, name.as_str(), per_part);
-            let table = OutputTable::create(series, vec![], system, &[number], |_| true)?;
+            let table = OutputTable::create(series, vec![], system, &[number], wanted)?;
             recorder.outputs.extend(table);
         }
         Ok(recorder)

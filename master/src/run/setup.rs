@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::after::Rails;
 use super::checkpoint::{Beginning, CheckpointError, Checkpoints, Reached, RunState};
+use super::chosen_outputs::ChosenOutputs;
 use super::error::RunError;
 use super::live::LiveFigures;
 use super::manifest::Manifest;
@@ -44,8 +45,8 @@ pub struct Setup {
 pub enum Subject {
     /// The train of a scenario.
     Train(Box<Scenario>, Layout),
-    /// Any other system, recorded every so many steps.
-    Package(u64),
+    /// Any other system, and what of it is recorded every so many steps.
+    Package(u64, ChosenOutputs),
 }
 
 impl Setup {
@@ -78,7 +79,7 @@ impl Setup {
         let done = system.initialize(|part| if rails.contain(part) { rails_end } else { stop });
         done.map_err(RunError::from).map_err(|error| match subject {
             Subject::Train(scenario, _) => error.at_key(scenario),
-            Subject::Package(_) => error,
+            Subject::Package(..) => error,
         })
     }
 
@@ -91,7 +92,9 @@ impl Setup {
             Subject::Train(scenario, layout) => {
                 train_tables::recorder(scenario, layout, &mut self.system, folder)
             }
-            Subject::Package(every) => Recorder::of_components(&self.system, *every, folder),
+            Subject::Package(every, chosen) => {
+                Recorder::of_components(&self.system, (*every, chosen), folder)
+            }
         }
     }
 
@@ -99,7 +102,7 @@ impl Setup {
     pub fn live_figures(&mut self) -> LiveFigures {
         match &self.subject {
             Subject::Train(_, layout) => LiveFigures::of(layout, &mut self.system),
-            Subject::Package(_) => LiveFigures::default(),
+            Subject::Package(..) => LiveFigures::default(),
         }
     }
 

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use files::Setting;
+
 use super::error::RunError;
 use super::source;
 use crate::files::file_error::FileError;
@@ -10,16 +12,17 @@ use crate::system::structure::Structure;
 use crate::train::fmus::Folders;
 use crate::train::structure::of_scenario;
 
-/// The structure of the scenario or package at `path`; Hotfoot's own FMUs lie in `fmus`.
+/// The structure of the scenario, with these settings, or package at `path`; Hotfoot's own FMUs lie in `fmus`.
 ///
 /// # Errors
 /// When the scenario or package is wrong, or an FMU is missing or unfit.
-pub fn wiring(path: &Path, fmus: &Path) -> Result<Structure, RunError> {
+pub fn wiring(path: &Path, settings: &[Setting], fmus: &Path) -> Result<Structure, RunError> {
     let folder = tempfile::tempdir().map_err(FileError::at(path))?;
     if source::is_system(path) {
+        RunError::check_no_settings(settings)?;
         return Ok(source::read(path, folder.path())?.1);
     }
-    let (scenario, file, _) = scenario::load(path, &[])?;
+    let (scenario, file, _) = scenario::load(path, settings)?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().to_owned() };
     let train = of_scenario(&scenario, &folders).map_err(RunError::prepare(&file))?;
     Ok(train.structure)

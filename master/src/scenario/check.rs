@@ -105,7 +105,10 @@ fn check_train_alone(scenario: &Scenario, check: &Check) -> Result<(), Mistake> 
     let wanted = "a train alone has no vehicle FMUs; leave fmus.vehicle and fmus.vehicle_at out, or \
                   train_alone";
     let none = fmus.vehicle.is_none() && fmus.vehicle_at.is_empty();
-    check.ensure(none, "train_alone", true, wanted)
+    check.ensure(none, "train_alone", true, wanted)?;
+    let wanted = "a train alone has no vehicle FMUs whose outputs could be recorded; leave record.outputs \
+                  out, or train_alone";
+    check.ensure(scenario.record.outputs.is_empty(), "train_alone", true, wanted)
 }
 
 /// Probes lie on the modelled rail.

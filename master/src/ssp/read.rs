@@ -68,6 +68,9 @@ pub fn read(folder: &Path, file: &str) -> Result<Structure, SspError> {
     };
     reader.system(system, "")?;
     let Reader { mut structure, edges, ports, bound, samplings, .. } = reader;
+    let ends = edges.iter().map(|edge| &edge.from);
+    let of_components = ends.filter(|from| structure.component(&from.element).is_some());
+    structure.given = of_components.cloned().collect();
     structure.connections = connect::trace(&edges, &structure)
         .map_err(|problem| SspError::Unfit { file: file.name.clone(), problems: vec![problem] })?;
     let unmatched = values::hand_on(bound, &edges, &ports, &mut structure);

@@ -1,7 +1,7 @@
 //! What a system structure says: components, their connections and start values, without
 //! hierarchy. It knows neither XML nor FMUs.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::interface::VariableType;
 use crate::interface::si::{Linear, SiUnit};
@@ -17,6 +17,8 @@ pub struct Structure {
     pub connections: Vec<Connection>,
     /// Units of measurement that connectors and parameters refer to.
     pub units: HashMap<String, SiUnit>,
+    /// The outputs that a package connects to something, a system's own connectors too.
+    pub given: HashSet<Endpoint>,
     /// Proposed start, s.
     pub start: Option<f64>,
     /// Proposed end, s.

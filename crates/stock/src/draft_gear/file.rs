@@ -24,6 +24,7 @@
 //! | buffers and screw coupling | the coupling in draft as above, `[buff]` with the same keys and `count` |
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::force_curve::ForceCurve;
@@ -38,7 +39,7 @@ const ELASTIC_LOCK: f64 = 2.0;
 /// Deflection up to which the curve of a drawbar is given, mm; it goes on alike.
 const DRAWBAR_DEFLECTION: f64 = 10.0;
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Drawbar {
     stiffness_mn_m: f64,
@@ -47,7 +48,7 @@ struct Drawbar {
 /// Declares the file of a gear, its section `[buff]`, and a [`Side`], all with the same keys.
 macro_rules! keys_of_a_direction {
     ($($key:ident: $kind:ty),* $(,)?) => {
-        #[derive(Deserialize)]
+        #[derive(Deserialize, JsonSchema)]
         #[serde(deny_unknown_fields)]
         pub(crate) struct GearFile {
             name: String,
@@ -57,7 +58,7 @@ macro_rules! keys_of_a_direction {
         }
 
         /// Section `[buff]`: so many gears side by side, in buff only.
-        #[derive(Deserialize)]
+        #[derive(Deserialize, JsonSchema)]
         #[serde(deny_unknown_fields)]
         struct Buff {
             #[serde(default = "one")]

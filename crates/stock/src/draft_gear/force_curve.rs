@@ -1,11 +1,12 @@
 //! Force over deflection by points.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Force over deflection by points, linear between them. A force that is not zero at zero is a
 /// preload.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ForceCurve {
     /// Deflections, rising from zero, mm.

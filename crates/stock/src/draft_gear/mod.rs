@@ -11,6 +11,7 @@ mod force_curve;
 mod wedge;
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 pub(crate) use file::GearFile;
@@ -50,7 +51,7 @@ pub struct Characteristic {
 }
 
 /// Section `[orifice]`: what it takes to press the oil through.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Orifice {
     /// Deflections, rising from zero, mm.

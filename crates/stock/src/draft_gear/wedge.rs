@@ -1,10 +1,11 @@
 //! Section `[wedge]` of the draft-gear file: the statics of a friction clutch.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// A friction clutch around the spring.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Wedge {
     /// Angle of the wedge to the axis, degrees.

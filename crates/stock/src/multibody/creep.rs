@@ -1,10 +1,11 @@
 //! The creep law of a vehicle's contacts: `[multibody.contact.creep]`.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Which creep law.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "snake_case")]
 pub enum CreepLawKind {
     /// Modified FASTSIM, by a table.
@@ -21,7 +22,7 @@ pub enum CreepLawKind {
 }
 
 /// A creep law with its parameters and its falling friction.
-#[derive(Clone, Debug, Default, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct CreepLaw {
     /// Where the values come from.

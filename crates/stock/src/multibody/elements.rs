@@ -4,13 +4,14 @@
 //! `multibody.rs`; there is one element of the kind at each point. The equations are those of
 //! `docs/theory/vehicle/suspension.md`.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Springs of one kind between two bodies, one at each point, each with its damping in parallel.
 ///
 /// A spring has no length; it carries its share of the weight when the vehicle stands at its
 /// given heights.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Spring {
     /// Name for messages.
@@ -27,7 +28,7 @@ pub struct Spring {
 }
 
 /// Direction in which a damper or a stop acts.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "snake_case")]
 pub enum Direction {
     /// Along the vehicle (x).
@@ -39,7 +40,7 @@ pub enum Direction {
 }
 
 /// Dampers of one kind between two bodies, one at each point.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Damper {
     /// Name for messages.
@@ -59,7 +60,7 @@ pub struct Damper {
 }
 
 /// Stops of one kind between two bodies, one at each point.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Stop {
     /// Name for messages.
@@ -79,7 +80,7 @@ pub struct Stop {
 /// Springs with a table of force over displacement, one at each point between two bodies.
 ///
 /// Such are progressive bump stops. A table that begins at displacement zero holds for both directions.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct TabulatedSpring {
     /// Name for messages.
@@ -102,7 +103,7 @@ pub struct TabulatedSpring {
 }
 
 /// A spring against the rotation of two bodies, such as an anti-roll bar (roll alone).
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct RotationalSpring {
     /// Name for messages.
@@ -117,7 +118,7 @@ pub struct RotationalSpring {
 }
 
 /// A rod with a joint at either end, which acts along the line between them.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Rod {
     /// Name for messages.
@@ -134,7 +135,7 @@ pub struct Rod {
 }
 
 /// Dry friction between two bodies, one at each point.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Friction {
     /// Name for messages.
@@ -152,7 +153,7 @@ pub struct Friction {
 }
 
 /// Friction wedges between a bolster (first) and a side frame (second), one at each point.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Wedge {
     /// Name for messages.
@@ -174,7 +175,7 @@ pub struct Wedge {
 }
 
 /// A flat round plate on which a body (first) rests and turns on its bolster (second).
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct CentrePlate {
     /// Name for messages.
@@ -198,7 +199,7 @@ pub struct CentrePlate {
 
 /// Constant-contact side bearers between a body (first) and its bolster (second), one at each
 /// point.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct SideBearer {
     /// Name for messages.

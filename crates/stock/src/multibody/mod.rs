@@ -16,6 +16,7 @@ mod elements;
 mod elements_check;
 pub(crate) mod profile_files;
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 pub use creep::{CreepLaw, CreepLawKind};
@@ -25,7 +26,7 @@ pub use elements::{
 };
 
 /// A vehicle as rigid bodies with springs, dampers and stops between them.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Multibody {
     /// Where the values come from.
@@ -71,7 +72,7 @@ pub struct Multibody {
 }
 
 /// Height of the couplers; they act on the first body at half the vehicle's length.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct CouplerAttachment {
     /// Height above the rails, m.
@@ -79,7 +80,7 @@ pub struct CouplerAttachment {
 }
 
 /// What the contacts of all wheels have in common.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct WheelRailContact {
     /// Name of the wheel profile, such as `"S1002"`, or the path of a file of points.
@@ -99,7 +100,7 @@ pub struct WheelRailContact {
 }
 
 /// A car body or a bogie frame.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Body {
     /// Name that elements refer to.
@@ -118,7 +119,7 @@ pub struct Body {
 }
 
 /// A wheelset; its centre of mass is at the axle, at the height of the wheel radius.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Wheelset {
     /// Name that elements refer to.

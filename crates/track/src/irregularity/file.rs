@@ -17,6 +17,7 @@
 use std::path::{Path, PathBuf};
 
 use files::{Check, Document, Mistake, Table};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::Irregularity;
@@ -25,42 +26,57 @@ use super::shape::{Direction, Form, Rails, Shape};
 use super::spectrum::{Quality, Spectrum};
 
 /// Columns of a file with measured irregularities.
-const COLUMNS: [&str; 5] =
+pub const COLUMNS: [&str; 5] =
     ["chainage_m", "left_lateral_mm", "left_vertical_mm", "right_lateral_mm", "right_vertical_mm"];
 
 /// Greatest irregularity, mm.
 const GREATEST: f64 = 200.0;
 
 /// The section as it stands in the file.
-#[derive(Debug, Deserialize, Default)]
+#[derive(Debug, Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Section {
+    /// CSV file of measured irregularities, beside the track file.
     file: Option<PathBuf>,
+    /// Random irregularities of a spectrum.
     spectrum: Option<SpectrumSection>,
+    /// Single defects.
     #[serde(default)]
     shape: Vec<ShapeSection>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct SpectrumSection {
+    /// Quality of the track.
     quality: Quality,
+    /// Seed of the random numbers.
     seed: u64,
+    /// Where they begin, m.
     begin_m: f64,
+    /// Length, m.
     length_m: f64,
+    /// Shortest and longest wavelength, m.
     #[serde(default = "wavelengths")]
     wavelengths_m: [f64; 2],
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ShapeSection {
+    /// Form of the defect.
     form: Form,
+    /// Rails that have it.
     rails: Rails,
+    /// Its direction.
     direction: Direction,
+    /// Where it begins, m.
     begin_m: f64,
+    /// Length, m.
     length_m: f64,
+    /// Amplitude, mm.
     amplitude_mm: f64,
+    /// Number of waves of a sine or a dip.
     #[serde(default = "one")]
     waves: f64,
 }

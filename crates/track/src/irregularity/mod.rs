@@ -17,6 +17,7 @@ mod rail_offset;
 mod shape;
 mod spectrum;
 
+pub use file::COLUMNS;
 pub(crate) use file::Section;
 pub use rail_offset::RailOffset;
 

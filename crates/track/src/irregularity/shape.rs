@@ -2,12 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::rail_offset::RailOffset;
 
 /// Form of a defect.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Form {
     /// Rises linearly to the amplitude and stays.
@@ -19,7 +20,7 @@ pub(super) enum Form {
 }
 
 /// Rail or rails that a defect has.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Rails {
     /// The left one.
@@ -33,7 +34,7 @@ pub(super) enum Rails {
 }
 
 /// Direction of a defect.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Direction {
     /// Across, amplitude positive to the right.

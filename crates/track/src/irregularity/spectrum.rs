@@ -11,6 +11,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::grid::{Grid, Row};
@@ -32,7 +33,7 @@ const WAVES: usize = 200;
 const FADING: f64 = 20.0;
 
 /// A quality of track.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 pub(super) enum Quality {
     /// Low irregularities of ERRI B176.
     #[serde(rename = "erri-low")]

@@ -22,6 +22,7 @@
 //! ```
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::levers::Levers;
@@ -43,12 +44,16 @@ pub(super) struct Cruise {
 }
 
 /// Section `[cruise]`.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub(super) struct Gains {
+    /// Lever for an error of the speed, 1/s over 1 m/s.
     proportional_per_s: f64,
+    /// Lever for its integral.
     integral_per_s2: f64,
+    /// Lever for its derivative.
     derivative: f64,
+    /// How far the controller looks ahead, s.
     preview_s: f64,
 }
 
@@ -59,10 +64,12 @@ impl Default for Gains {
 }
 
 /// Section `[speed]`: the speed to keep, by the chainage of the leading vehicle's middle.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SpeedFile {
+    /// Chainages, rising, m.
     chainage_m: Vec<f64>,
+    /// Speeds there, km/h.
     kmh: Vec<f64>,
 }
 

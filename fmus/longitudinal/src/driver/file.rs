@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use files::{Check, Document, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::cruise::{Cruise, Gains, SpeedFile};
@@ -14,22 +15,31 @@ use super::replay::ReplayFile;
 use super::schedule::{Entry, Schedule};
 use super::{Driver, Kind};
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct DriverFile {
+    /// Whether what is commanded first is in force at the start.
     #[serde(default = "yes")]
     initially_applied: bool,
+    /// Commands by time or by chainage.
     #[serde(default)]
     command: Vec<Entry>,
+    /// Single levers over time or chainage, before all else.
     #[serde(default)]
     profile: Vec<ProfileFile>,
+    /// Commands of remote locomotives.
     #[serde(default)]
     remote: Vec<RemoteFile>,
+    /// The speed to keep to.
     speed: Option<SpeedFile>,
+    /// A controller that keeps the speed.
     cruise: Option<Gains>,
+    /// A driver by fuzzy rules who keeps the speed.
     fuzzy: Option<FuzzyFile>,
+    /// How fast the levers are moved.
     #[serde(default)]
     levers: Levers,
+    /// What a logger has recorded.
     replay: Option<ReplayFile>,
 }
 
@@ -38,6 +48,11 @@ fn yes() -> bool {
 }
 
 impl Driver {
+    /// The JSON schema of driver files.
+    pub fn schema() -> schemars::Schema {
+        schemars::schema_for!(DriverFile)
+    }
+
     /// Reads a driver file; the file of a logger lies beside it.
     ///
     /// # Errors

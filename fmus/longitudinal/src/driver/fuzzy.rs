@@ -29,6 +29,7 @@
 use files::{Check, Mistake};
 use numerics::LinearTable;
 use numerics::constants::KILOMETRES_PER_HOUR;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::cruise::speed_and_slope;
@@ -51,7 +52,7 @@ pub(super) struct Fuzzy {
 }
 
 /// Section `[fuzzy]`.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub(super) struct FuzzyFile {
     preview_s: f64,

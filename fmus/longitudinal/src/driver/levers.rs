@@ -4,6 +4,7 @@
 //! cannot give (blending). Only one of traction and dynamic brake is applied at a time.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::view::View;
@@ -14,7 +15,7 @@ use crate::train::vehicle::Vehicle;
 const HALVINGS: usize = 30;
 
 /// Section `[levers]` of a driver file.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub(super) struct Levers {
     /// Whether the throttle moves without steps.

@@ -9,6 +9,7 @@
 
 use files::{Check, Mistake};
 use numerics::LinearTable;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::view::View;
@@ -22,7 +23,7 @@ pub(super) struct Profile {
     table: LinearTable,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum Lever {
     Throttle,
@@ -32,12 +33,16 @@ enum Lever {
 }
 
 /// One `[[profile]]` of a driver file.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ProfileFile {
+    /// Lever.
     lever: Lever,
+    /// Times, s; instead of `chainage_m`.
     time_s: Option<Vec<f64>>,
+    /// Chainages of the leading vehicle, m; instead of `time_s`.
     chainage_m: Option<Vec<f64>>,
+    /// Values of the lever there.
     value: Vec<f64>,
 }
 

@@ -10,6 +10,7 @@
 //! ```
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::schedule::{Entry, Schedule};
@@ -26,12 +27,15 @@ pub(super) struct Remote {
 }
 
 /// One `[[remote]]` of a driver file.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RemoteFile {
+    /// Number of the group of locomotives, as in the train.
     pub(super) group: usize,
+    /// Delay of the radio, s.
     #[serde(default)]
     delay_s: f64,
+    /// Commands of its own; left out: it follows the leading ones.
     #[serde(default)]
     command: Vec<Entry>,
 }

@@ -20,6 +20,7 @@ use std::path::Path;
 use files::{Check, Document, Mistake, Table, did_you_mean};
 use numerics::LinearTable;
 use numerics::constants::{KILOMETRES_PER_HOUR, MILES_PER_HOUR};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
@@ -48,33 +49,47 @@ enum Column {
 }
 
 /// Section `[replay]`.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ReplayFile {
+    /// CSV file of the logger, beside the driver file or with its whole path.
     pub(super) file: String,
+    /// Name of the column of times, which must rise.
     time: String,
+    /// Name of the column of the measured speed.
     speed: String,
+    /// Unit of that column.
     #[serde(default)]
     speed_unit: SpeedUnit,
+    /// Name of the column of the throttle.
     throttle: Option<String>,
+    /// Value of that column for the whole of it.
     #[serde(default = "highest_notch")]
     throttle_full: f64,
+    /// Name of the column of the dynamic brake.
     dynamic_brake: Option<String>,
+    /// Value of that column for the whole of it.
     #[serde(default = "one")]
     dynamic_brake_full: f64,
+    /// Name of the column of the train brake.
     train_brake: Option<String>,
+    /// Value of that column for the whole of it.
     #[serde(default = "one")]
     train_brake_full: f64,
+    /// Name of the column of the locomotive brake.
     locomotive_brake: Option<String>,
+    /// Value of that column for the whole of it.
     #[serde(default = "one")]
     locomotive_brake_full: f64,
+    /// Whether a value holds until the next one, or goes linearly.
     #[serde(default)]
     resample: Resample,
+    /// Longest time between two rows, s.
     #[serde(default = "ten")]
     longest_gap_s: f64,
 }
 
-#[derive(Clone, Copy, Default, Deserialize)]
+#[derive(Clone, Copy, Default, Deserialize, JsonSchema)]
 enum SpeedUnit {
     #[default]
     #[serde(rename = "km/h")]
@@ -85,7 +100,7 @@ enum SpeedUnit {
     Mph,
 }
 
-#[derive(Clone, Copy, Default, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 enum Resample {
     #[default]

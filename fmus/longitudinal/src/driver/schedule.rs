@@ -15,6 +15,7 @@
 //! for nothing else. What a command does not name is zero.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
@@ -35,17 +36,24 @@ enum Begin {
 }
 
 /// One `[[command]]` of a driver file.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Entry {
+    /// Time from which it holds, s; instead of `from_m`.
     from_s: Option<f64>,
+    /// Chainage of the leading vehicle from which it holds, m; instead of `from_s`.
     from_m: Option<f64>,
+    /// Notch, 0 to 8; instead of `throttle`.
     notch: Option<f64>,
+    /// Share of the throttle, 0 to 1; instead of `notch`.
     throttle: Option<f64>,
+    /// Share of the dynamic brake, 0 to 1.
     #[serde(default)]
     dynamic_brake: f64,
+    /// Share of the train brake, 0 to 1.
     #[serde(default)]
     train_brake: f64,
+    /// Share of the locomotive brake, 0 to 1.
     #[serde(default)]
     locomotive_brake: f64,
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use files::{Check, Document, Mistake, did_you_mean};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::outline::{Corner, Outline, Point};
@@ -18,7 +19,7 @@ const KNOWN: [(&str, &str); 3] = [
 ];
 
 /// A rail section as its file has it.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RailFile {
     /// Name of the section.

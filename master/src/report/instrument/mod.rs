@@ -32,7 +32,7 @@ use super::error::ReportError;
 use super::facts::TrackFacts;
 use super::results::Results;
 pub(super) use couplings::Residual;
-use packed::Packed;
+pub(super) use packed::Packed;
 
 /// All numbers of the linked view.
 #[derive(Debug, Clone, Serialize)]

@@ -7,7 +7,7 @@ use serde::Serialize;
 /// Numbers in single precision; not-a-number stays what it is.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
-pub(super) struct Packed(String);
+pub(in crate::report) struct Packed(String);
 
 impl Packed {
     /// Packs numbers.

@@ -39,6 +39,8 @@ pub struct Order {
     same_thread: bool,
     /// Components that have processes of their own.
     isolate: Vec<String>,
+    /// Outputs that are recorded.
+    record: Vec<String>,
     /// Values of the scenario's keys of the command line.
     settings: Vec<Setting>,
     /// Times of the command line, and how often a checkpoint is written.
@@ -86,8 +88,9 @@ impl Order {
         results: &Path,
         files: Vec<PathBuf>,
     ) -> Result<Self, FileError> {
-        let Options { fmus, settings, times, tolerance, checks, same_thread, isolate, .. } =
-            options;
+        let Options {
+            fmus, settings, times, tolerance, checks, same_thread, isolate, record, ..
+        } = options;
         let mut order = Self {
             hotfoot: PROGRAM.to_owned(),
             results: results.to_owned(),
@@ -97,6 +100,7 @@ impl Order {
             checks: *checks,
             same_thread: *same_thread,
             isolate: isolate.clone(),
+            record: record.clone(),
             settings: settings.clone(),
             times: *times,
             input: vec![],
@@ -119,6 +123,7 @@ impl Order {
             checks: self.checks,
             same_thread: self.same_thread,
             isolate: self.isolate.clone(),
+            record: self.record.clone(),
             quiet: others.quiet,
         }
     }

@@ -9,7 +9,10 @@ use std::path::Path;
 pub const CHECKPOINTS: &str = "checkpoint";
 
 /// Names of what a run writes, besides the fields of the rails.
-const NAMES: [&str; 6] = [MANIFEST, "report.html", "series", "fmus", "package", CHECKPOINTS];
+const NAMES: [&str; 7] = [MANIFEST, "report.html", "series", CSV, "fmus", "package", CHECKPOINTS];
+
+/// Name of the folder of the tables as CSV files.
+pub const CSV: &str = "csv";
 
 /// Name of the manifest.
 pub const MANIFEST: &str = "manifest.toml";

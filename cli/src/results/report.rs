@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use anyhow::{Result, bail, ensure};
-use hotfoot::report;
 use hotfoot::run::folder::claim::{Owner, owner, release};
 use hotfoot::run::folder::complete::{complete, is_complete};
 use hotfoot::run::{End, Ended, expected};
+use hotfoot::{recording, report};
 
 use crate::output::{print, tell};
 use crate::supervise::temporary;
@@ -15,7 +15,7 @@ use crate::supervise::temporary;
 ///
 /// # Errors
 /// When the folder is not one that a run has written.
-pub fn report(results: &Path) -> Result<()> {
+pub fn report(results: &Path, csv: bool) -> Result<()> {
     temporary::clean_up();
     files::exists(results)?;
     let owner = owner(results)?;
@@ -40,7 +40,18 @@ pub fn report(results: &Path) -> Result<()> {
             release(results);
         }
     }
+    if csv {
+        write_csv(results)?;
+    }
     print(results.join("report.html").display())
+}
+
+/// Writes the tables in a folder of results as CSV files.
+///
+/// # Errors
+/// When one cannot be read or written.
+pub fn write_csv(results: &Path) -> Result<()> {
+    Ok(recording::copy_as_csv(&results.join("series"), &results.join("csv"))?)
 }
 
 /// Says how the figures of a run compare with those expected of its scenario.
@@ -58,7 +69,10 @@ pub fn expect(results: &Path, expected: &Path) -> Result<()> {
 }
 
 /// Refuses a folder that no run has written.
-fn check_folder(results: &Path) -> Result<()> {
+///
+/// # Errors
+/// When there is none, or it has no manifest.
+pub fn check_folder(results: &Path) -> Result<()> {
     files::exists(results)?;
     let is_one = results.join("manifest.toml").is_file();
     ensure!(is_one, "{} is no folder of results: it has no manifest.toml", results.display());

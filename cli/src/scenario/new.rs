@@ -38,9 +38,12 @@ enum Template {
 macro_rules! shipped {
     ($folder:literal) => {
         [
-            ("scenario.toml", include_str!(concat!("../../scenarios/", $folder, "/scenario.toml"))),
-            ("track.toml", include_str!(concat!("../../scenarios/", $folder, "/track.toml"))),
-            ("driver.toml", include_str!(concat!("../../scenarios/", $folder, "/driver.toml"))),
+            (
+                "scenario.toml",
+                include_str!(concat!("../../../scenarios/", $folder, "/scenario.toml")),
+            ),
+            ("track.toml", include_str!(concat!("../../../scenarios/", $folder, "/track.toml"))),
+            ("driver.toml", include_str!(concat!("../../../scenarios/", $folder, "/driver.toml"))),
         ]
     };
 }
@@ -90,7 +93,7 @@ pub fn new(arguments: &NewArguments) -> Result<()> {
 }
 
 /// `stock` beside `target`, in whose folder the program is.
-fn default_stock() -> PathBuf {
+pub fn default_stock() -> PathBuf {
     let program = std::env::current_exe().unwrap_or_default();
     program.ancestors().nth(3).unwrap_or(Path::new(".")).join("stock")
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
+use files::Setting;
 use hotfoot::run::{Exported, export, workplace};
 
 use crate::output::print;
@@ -16,6 +17,10 @@ use crate::supervise::limits::Limits;
 pub struct ExportArguments {
     /// Scenario: its folder or file
     scenario: PathBuf,
+    /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
+    /// than once
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<Setting>,
     /// Package to write; left out: named as the scenario's folder, in the current folder
     #[arg(long, short)]
     output: Option<PathBuf>,
@@ -39,7 +44,7 @@ fn export_here(arguments: &ExportArguments) -> Result<()> {
     let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
     let name = || workplace::scenario_name(&arguments.scenario);
     let target = arguments.output.clone().unwrap_or_else(|| format!("{}.ssp", name()).into());
-    let exported = export(&arguments.scenario, &fmus, &target)?;
+    let exported = export(&arguments.scenario, &arguments.settings, &fmus, &target)?;
     let Exported { components, connections } = exported;
     let target = target.display();
     print(format_args!("{target}: {components} components, {connections} connections"))

@@ -1,0 +1,42 @@
+//! What a comparison has found.
+
+use serde::Serialize;
+
+use super::about::About;
+use super::curves::Curve;
+use super::errors::ColumnErrors;
+use super::inputs::InputDifference;
+
+/// What a comparison has found.
+#[derive(Debug, Serialize)]
+pub struct Comparison {
+    /// The run that the others are compared with.
+    pub first: About,
+    /// The others, in their order.
+    pub compared: Vec<Compared>,
+    #[serde(skip)]
+    pub(super) curves: Vec<Curve>,
+}
+
+/// One of the others with what differs from the first.
+#[derive(Debug, Serialize)]
+pub struct Compared {
+    /// What is known of it.
+    pub with: About,
+    /// Inputs that differ.
+    pub inputs: Vec<InputDifference>,
+    /// Errors of every column that both have, in the order of the first one's tables.
+    pub columns: Vec<ColumnErrors>,
+    /// Columns that only the first has; none for a measurement.
+    pub only_in_first: Vec<String>,
+    /// Columns that only the other has, with why, where they found no home.
+    pub only_in_other: Vec<String>,
+}
+
+impl Comparison {
+    /// The largest relative difference of all columns.
+    pub fn largest_relative(&self) -> f64 {
+        let columns = self.compared.iter().flat_map(|compared| &compared.columns);
+        columns.map(|column| column.relative).fold(0.0, f64::max)
+    }
+}
