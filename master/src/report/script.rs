@@ -7,13 +7,14 @@ pub(super) const UPLOT: &str = include_str!("../../templates/vendor/uplot/uPlot.
 pub(super) const UPLOT_STYLE: &str = include_str!("../../templates/vendor/uplot/uPlot.min.css");
 
 /// The modules of the linked view, each after those that it imports.
-const MODULES: [&str; 8] = [
+const MODULES: [&str; 9] = [
     include_str!("../../templates/instrument/numbers.js"),
     include_str!("../../templates/instrument/run.js"),
     include_str!("../../templates/instrument/colours.js"),
     include_str!("../../templates/instrument/panel.js"),
     include_str!("../../templates/instrument/along_track.js"),
     include_str!("../../templates/instrument/heat_map.js"),
+    include_str!("../../templates/instrument/section.js"),
     include_str!("../../templates/instrument/over_time.js"),
     include_str!("../../templates/instrument/main.js"),
 ];

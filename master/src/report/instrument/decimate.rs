@@ -27,6 +27,18 @@ impl Picks {
         Self::of(count, (budget / columns.max(1)).clamp(40, 800))
     }
 
+    /// The same with the records nearest to wanted times, of records at `times`.
+    pub fn with_nearest(mut self, times: &[f64], wanted: &[f64]) -> Self {
+        let nearest = |&wanted: &f64| {
+            let distance = |index: &usize| (times[*index] - wanted).abs();
+            (0..times.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        };
+        self.records.extend(wanted.iter().filter_map(nearest));
+        self.records.sort_unstable();
+        self.records.dedup();
+        self
+    }
+
     /// The values of the records that are shown.
     pub fn values<'v>(&'v self, values: &'v [f64]) -> impl Iterator<Item = f64> + 'v {
         self.records.iter().map(|&record| values[record])

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::decimate::Picks;
 use super::packed::{Packed, PackedRows};
+use super::sections::Sections;
 use crate::report::data::{Foot, RailData};
 
 /// Columns of the field along the track, at most.
@@ -55,6 +56,8 @@ pub(super) struct Field {
     depth: Packed,
     /// Rise above the initial state, K: a row for each time and depth, with its columns.
     rise: PackedRows,
+    /// The whole section at the probes, where it was kept.
+    sections: Option<Sections>,
 }
 
 impl Rail {
@@ -85,14 +88,7 @@ impl Field {
         let depths = axes.depth.len().max(1);
         let columns = axes.chainage.len().min(MOST_COLUMNS);
         let most = (BUDGET / (columns * depths * rails.max(1))).clamp(4, 200);
-        let mut picks = Picks::of(times.len(), most);
-        let nearest = |&wanted: &f64| {
-            let distance = |index: &usize| (times[*index] - wanted).abs();
-            (0..times.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
-        };
-        picks.records.extend(wanted.iter().filter_map(nearest));
-        picks.records.sort_unstable();
-        picks.records.dedup();
+        let picks = Picks::of(times.len(), most).with_nearest(times, wanted);
         let mut changed = axes.chainage.len()..0;
         for time in picks.values(times) {
             let of_one = changed_elements(&reader.at_time(time)?.rise, depths);
@@ -114,6 +110,7 @@ impl Field {
             chainage: Packed::of(axes.chainage[shown].chunks(elements).map(middle)),
             depth: Packed::of(axes.depth.iter().copied()),
             rise: PackedRows::of(rows),
+            sections: Sections::read(&reader, wanted, rails)?,
         }))
     }
 }
