@@ -19,7 +19,7 @@ export function addSection(parent, run, state) {
   figure.innerHTML = "<figcaption><strong></strong> <span></span></figcaption><canvas role=\"img\"></canvas><output></output>";
   const [caption, canvas, said] = figure.children;
   const scale = addScale(figure);
-  const place = placed(sections, Math.min(WIDEST, figure.clientWidth || WIDEST));
+  const place = placeCells(sections, Math.min(WIDEST, figure.clientWidth || WIDEST));
   canvas.width = place.width * devicePixelRatio;
   canvas.height = place.height * devicePixelRatio;
   canvas.style.width = `${place.width}px`;
@@ -28,7 +28,7 @@ export function addSection(parent, run, state) {
   const now = () => sectionAt(sections, state.probe, state.time);
   canvas.addEventListener("pointermove", ({ offsetX, offsetY }) => {
     const cell = place.cellAt(offsetX, offsetY);
-    said.textContent = cell == null ? "" : `${where(sections, cell, names)}: ${withUnit(now().rises[cell], "K")}`;
+    said.textContent = cell == null ? "" : `${placeInWords(sections, cell, names)}: ${withUnit(now().rises[cell], "K")}`;
   });
   canvas.addEventListener("pointerleave", () => { said.textContent = ""; });
   return () => {
@@ -37,19 +37,19 @@ export function addSection(parent, run, state) {
     caption.firstChild.textContent = title;
     caption.lastChild.textContent = timeInWords("section", time, state.time);
     canvas.setAttribute("aria-label", `${title}, from ${withUnit(Math.min(...rises), "K")} to ${withUnit(Math.max(...rises), "K")}`);
-    paint(canvas, sections, rises, place, names, state.heatLimit);
+    paintSection(canvas, sections, rises, place, names, state.heatLimit);
     showScale(scale, state.heatLimit);
   };
 }
 
 /** Where a cell lies, in words. */
-function where({ y, z }, cell, names) {
+function placeInWords({ y, z }, cell, names) {
   const aside = Math.abs(1e3 * y[cell]).toFixed(1);
   return `${aside} mm to the ${names[y[cell] < 0 ? 0 : 1]}, ${(1e3 * z[cell]).toFixed(1)} mm deep`;
 }
 
 /** Where cells lie on a picture of some width, with the cells of each column and row. */
-function placed({ y, z, width, height }, pictured) {
+function placeCells({ y, z, width, height }, pictured) {
   const half = Math.max(...y) + width / 2;
   const deepest = Math.max(...z) + height / 2;
   const pixels = (pictured - 2) / (2 * half);
@@ -65,7 +65,7 @@ function placed({ y, z, width, height }, pictured) {
 }
 
 /** Paints the cells, the outline around them, the names of the sides and a measure. */
-function paint(canvas, sections, rises, place, names, limit) {
+function paintSection(canvas, sections, rises, place, names, limit) {
   const ctx = canvas.getContext("2d");
   const { ink, faint } = theme();
   ctx.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
@@ -73,8 +73,9 @@ function paint(canvas, sections, rises, place, names, limit) {
   rises.forEach((rise, cell) => {
     const [left, top, width, height] = place.box(cell);
     ctx.fillStyle = css(diverging(rise / limit));
-    // A little more than the cell, so that no seams shine through.
-    ctx.fillRect(left, top, width + 0.4, height + 0.4);
+    // On whole pixels, so that no seams shine through.
+    const [from, to] = [[left, top], [left + width, top + height]].map((ends) => ends.map((end) => Math.round(end * devicePixelRatio) / devicePixelRatio));
+    ctx.fillRect(...from, to[0] - from[0], to[1] - from[1]);
   });
   ctx.strokeStyle = faint;
   ctx.beginPath();
