@@ -61,8 +61,8 @@ def close(shown, expected):
 
 def readout(page):
     """What the page says in numbers at the chosen time."""
-    rows = page.query_selector_all("#readout div")
-    return {row.query_selector("dt").inner_text(): row.query_selector("dd").inner_text() for row in rows}
+    rows = page.query_selector_all(".readout div")
+    return {row.query_selector("dt").text_content(): row.query_selector("dd").text_content() for row in rows}
 
 
 def set_slider(page, share):

@@ -174,11 +174,6 @@ class View {
       rows.push(["Measured speed", `${measured.toFixed(2)} m/s, ${(3.6 * measured).toFixed(1)} km/h`]);
       rows.push(["Simulated less measured, root mean square", `${run.speed_rms.toFixed(3)} m/s, ${(3.6 * run.speed_rms).toFixed(2)} km/h`]);
     }
-    const outputs = run.outputs.of.get(vehicle);
-    if (outputs) {
-      const record = nearest(run.outputs.time, time);
-      for (const [name, quantity] of outputs) rows.push([`Vehicle ${vehicle}: ${name}`, value(quantity, record)]);
-    }
     const rail = run.rails[this.rail];
     if (rail?.field) {
       const { field, side } = rail;
@@ -192,13 +187,21 @@ class View {
         rows.push([`Section at ${field.sections.chainage[this.probe].toFixed(1)} m: warmest`, withUnit(Math.max(...rises), "K")]);
       }
     }
-    const list = byId("readout");
-    list.replaceChildren(...rows.map(([name, text]) => {
-      const row = document.createElement("div");
-      row.append(Object.assign(document.createElement("dt"), { textContent: name }), Object.assign(document.createElement("dd"), { textContent: text }));
-      return row;
-    }));
+    listRows(byId("readout"), rows);
+    const outputs = [...run.outputs.of.get(vehicle) ?? []];
+    const record = nearest(run.outputs.time, time);
+    byId("further").hidden = !outputs.length;
+    listRows(byId("further").querySelector("dl"), outputs.map(([name, quantity]) => [`Vehicle ${vehicle}: ${name}`, value(quantity, record)]));
   }
+}
+
+/** Makes the rows of a list: what, and its value. */
+function listRows(list, rows) {
+  list.replaceChildren(...rows.map(([name, text]) => {
+    const row = document.createElement("div");
+    row.append(Object.assign(document.createElement("dt"), { textContent: name }), Object.assign(document.createElement("dd"), { textContent: text }));
+    return row;
+  }));
 }
 
 const section = byId("linked-view");
