@@ -96,8 +96,9 @@ impl FieldWriter {
         };
         for n in self.snapshots.. {
             let mut found = false;
-            let sections = self.sections.iter().map(|(array, _)| (array, &[n, 0, 0][..]));
-            let others = [(&self.time, &[n][..]), (&self.temperature_rise, &[n, 0, 0])];
+            let (of_time, of_field) = ([n], [n, 0, 0]);
+            let sections = self.sections.iter().map(|(array, _)| (array, &of_field[..]));
+            let others = [(&self.time, &of_time[..]), (&self.temperature_rise, &of_field[..])];
             for (array, chunk) in others.into_iter().chain(sections) {
                 found |= array.retrieve_encoded_chunk(chunk).map_err(|e| zarr(&e))?.is_some();
                 array.erase_chunk(chunk).map_err(|e| zarr(&e))?;

@@ -21,7 +21,7 @@ use super::elements::{Elements, Section};
 use super::followers::Followers;
 use super::ledger::{Ledger, Sources};
 use super::parameters::Parameters;
-use super::sections::{Place, Sections};
+use super::places::{Place, Sections};
 use super::untouched::{self, Untouched};
 use super::zones::Zone;
 use crate::contact::Wheel;

@@ -6,39 +6,18 @@
 //! track, the elements within [`REACH`] are kept too, so that it flows in all modes. Nothing of this
 //! changes what the elements do. Validated by `property_a_section_…` and `analytic_a_section_…`.
 
-use serde::{Deserialize, Serialize};
-
 use super::along::Along;
 use super::elements::{Elements, Section};
 use super::followers::Followers;
 use super::model::EnergyModel;
 use super::parameters::Resolution;
+use super::places::{Place, Sections};
 use crate::heat_model::Places;
-use crate::section::dot;
+use crate::section::{add, dot};
 
 /// Length of track on either side of a place from which heat may flow to it, m: in an hour heat goes
 /// 0.4 m (twice the root of diffusivity times time).
 const REACH: f64 = 1.0;
-
-/// What a place has more than untouched rail.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Place {
-    /// The element of the rail with which the place's own begin.
-    first: usize,
-    /// The place among its own elements.
-    middle: usize,
-    elements: Elements,
-}
-
-/// What all places have in common.
-pub(super) struct Sections {
-    /// No mode follows.
-    followers: Followers,
-    /// Whether the field side is to the right.
-    field_side_is_right: bool,
-    along: Option<Along>,
-    source: Vec<f64>,
-}
 
 impl EnergyModel {
     /// Keeps the rise of the whole section at some elements from now on, where the section is a plane.
@@ -120,9 +99,9 @@ impl EnergyModel {
     pub fn section_rises(&self) -> Vec<f64> {
         let of_place = |place: &Place| {
             let zone = usize::from(self.zone_of[place.first + place.middle]);
-            let untouched = &self.state.untouched[zone].amplitudes;
-            let own = place.elements.amplitudes(place.middle);
-            let all: Vec<f64> = untouched.iter().zip(own).map(|(a, b)| a + b).collect();
+            let mut all = self.state.untouched[zone].amplitudes.clone();
+            // The place has no more amplitudes than those that have not decayed.
+            add(&mut all, 1.0, place.elements.amplitudes(place.middle));
             (0..self.modes.cells()).map(move |cell| dot(self.modes.at(cell), &all))
         };
         self.state.places.iter().flat_map(of_place).collect()
