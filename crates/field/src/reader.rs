@@ -7,8 +7,8 @@ use zarrs::array::{ArraySubset, ElementOwned, FromArrayBytes};
 use crate::axes::{Axes, Sections};
 use crate::error::FieldError;
 use crate::layout::{
-    self, CHAINAGE, DEPTH, SECTION_AREA, SECTION_CHAINAGE, SECTION_RISE, SECTION_Y, SECTION_Z, Store,
-    StoredArray, TEMPERATURE_RISE, TIME,
+    self, CHAINAGE, DEPTH, SECTION_AREA, SECTION_CHAINAGE, SECTION_RISE, SECTION_Y, SECTION_Z,
+    Store, StoredArray, TEMPERATURE_RISE, TIME,
 };
 use crate::writer::is_rail_field;
 

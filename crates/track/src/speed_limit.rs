@@ -31,7 +31,12 @@ impl SpeedLimit {
     /// Refuses what a limit cannot be.
     pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
         let Self { from_m, to_m, speed_m_per_s } = *self;
-        check.ensure(from_m.is_finite(), "from_m", from_m, "must be a finite chainage in metres")?;
+        check.ensure(
+            from_m.is_finite(),
+            "from_m",
+            from_m,
+            "must be a finite chainage in metres",
+        )?;
         let wanted = format!("must be a chainage beyond from_m = {from_m} m");
         check.ensure(to_m.is_finite() && to_m > from_m, "to_m", to_m, &wanted)?;
         let possible = speed_m_per_s > 0.0 && speed_m_per_s <= GREATEST;

@@ -57,7 +57,8 @@ mod tests {
     /// Ten vehicles with 20 m between them at a constant speed: the head passes 100 m, the tail 20 m.
     #[test]
     fn a_limit_holds_for_every_part_of_the_train() {
-        let limit = |from_m, to_m, share: f64| SpeedLimit { from_m, to_m, speed_m_per_s: share * SPEED };
+        let limit =
+            |from_m, to_m, share: f64| SpeedLimit { from_m, to_m, speed_m_per_s: share * SPEED };
         let track = TrackFacts {
             speed_limit: vec![
                 limit(50.0, 60.0, 0.5),

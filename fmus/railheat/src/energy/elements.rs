@@ -157,8 +157,7 @@ impl Elements {
     /// their contacts lie to the right where they say to the field side.
     pub(super) fn take_deposits(&mut self, rail: &Self, first: usize, is_right: bool) {
         let side = if is_right { 1.0 } else { -1.0 };
-        for (element, (own, touched)) in
-            self.deposits.iter_mut().zip(&mut self.touched).enumerate()
+        for (element, (own, touched)) in self.deposits.iter_mut().zip(&mut self.touched).enumerate()
         {
             let deposit = rail.deposits[first + element];
             *own = Deposit { lateral: side * deposit.lateral, ..deposit };

@@ -55,8 +55,8 @@ impl EnergyModel {
     pub(super) fn step_sections(&mut self, time: f64) {
         let Some(sections) = &mut self.sections else { return };
         let line = &self.parameters.line;
-        let number =
-            self.parameters.material.diffusivity() * time / (line.element_length * line.element_length);
+        let number = self.parameters.material.diffusivity() * time
+            / (line.element_length * line.element_length);
         for Place { first, elements, .. } in &mut self.state.places {
             elements.take_deposits(&self.state.elements, *first, sections.field_side_is_right);
             let mut conduct = |elements: &mut Elements| {

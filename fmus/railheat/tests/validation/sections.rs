@@ -9,7 +9,9 @@ use railheat::line::Line;
 use railheat::section::Cell;
 
 use crate::common::SPEED;
-use crate::energy_common::{DAY, NIGHT, all_effects, energy, outline, parameters, run, slab, wheel};
+use crate::energy_common::{
+    DAY, NIGHT, all_effects, energy, outline, parameters, run, slab, wheel,
+};
 
 /// The element whose section is kept, in the middle of the rail.
 const PLACE: usize = 100;
@@ -17,10 +19,7 @@ const PLACE: usize = 100;
 /// Two vehicles, the wheels of which touch the rail so far to the field side, in m.
 fn train(lateral: f64) -> impl Fn(f64) -> Vec<Wheel> {
     move |time| {
-        let at = |offset| Wheel {
-            lateral_position: lateral,
-            ..wheel(SPEED * time + 8.0 - offset)
-        };
+        let at = |offset| Wheel { lateral_position: lateral, ..wheel(SPEED * time + 8.0 - offset) };
         [0.0, 1.8, 20.0, 21.8].map(at).to_vec()
     }
 }
@@ -79,7 +78,9 @@ fn property_a_section_has_its_elements_middle_line_and_heat() {
         let model = after_train(parameters, 0.012, true, rest);
         let off = off_middle_line(&model);
         let (own, element) = (heat(&model), model.heat_per_metre(PLACE));
-        println!("shortest {shortest}, {rest} s: middle line {off:.1e}, heat {own} of {element} J/m");
+        println!(
+            "shortest {shortest}, {rest} s: middle line {off:.1e}, heat {own} of {element} J/m"
+        );
         assert!(off < allowed, "{off} with {shortest} s after {rest} s");
         let slack = if shortest > 0.0 { 1e-3 } else { 1e-9 };
         assert!((own / element - 1.0).abs() < slack, "{own} of {element} J/m");
