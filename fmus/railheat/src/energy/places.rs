@@ -10,20 +10,21 @@ use super::followers::Followers;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Place {
     /// The element of the rail with which the place's own begin.
-    pub first: usize,
+    pub(super) first: usize,
     /// The place among its own elements.
-    pub middle: usize,
-    pub elements: Elements,
+    pub(super) middle: usize,
+    /// What they have.
+    pub(super) elements: Elements,
 }
 
 /// What all places have in common.
 pub(super) struct Sections {
     /// No mode follows.
-    pub followers: Followers,
+    pub(super) followers: Followers,
     /// Whether the field side is to the right.
-    pub field_side_is_right: bool,
+    pub(super) field_side_is_right: bool,
     /// Conduction along the track, if wanted.
-    pub along: Option<Along>,
+    pub(super) along: Option<Along>,
     /// Scratch.
-    pub source: Vec<f64>,
+    pub(super) source: Vec<f64>,
 }

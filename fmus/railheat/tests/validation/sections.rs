@@ -120,38 +120,43 @@ fn property_a_mirrored_contact_gives_the_mirrored_section() {
 /// on one side more than on the other, in the shape sin(πy/w), is
 ///
 /// ```text
-/// E sin(πy/w) 3(sin κ - κ cos κ)/κ³ e^(-α(π/w)²t),   κ = πb/w
+/// E sin(πy/w) 3(sin κ - κ cos κ)/κ³ e^(-rt),   κ = πb/w,   r = α (4/h²) sin²(πh/2w)
 /// ```
 ///
-/// With cells of 2 mm the rate is (πh/w)²/12 = 0.2 % small and the shape of the band 0.1 % off. No heat is lost
-/// meanwhile, and in two hours it is mixed: E/(ρ c A) everywhere.
+/// The shape is one of the grid's too, whose rate r is that of cells of h = 4 mm, 0.8 % less than α(π/w)²: it is met to
+/// rounding. The band on such cells is 1 % off. No heat is lost meanwhile, and in four hours it is
+/// mixed: E/(ρ c A) everywhere.
 #[test]
 fn analytic_a_section_evens_out_across_the_rail() {
-    let mut model = energy(parameters(slab(), Resolution::Plane, 0.002), &[1], &NIGHT);
+    let mut model = energy(parameters(slab(), Resolution::Plane, 0.004), &[1], &NIGHT);
     model.keep_sections(&[PLACE], true);
     let at = |time: f64| vec![Wheel { lateral_position: 0.008, ..wheel(2.0 + SPEED * time) }];
     run(&mut model, &NIGHT, at, 0.0, 10, 0.1);
-    let (width, band) = (0.04, 0.0063);
-    let rate = Material::PAPER.diffusivity() * (PI / width).powi(2);
+    let (width, band, cell) = (0.04, 0.0063, 0.004);
+    let sine = (0.5 * PI * cell / width).sin();
+    let rate = Material::PAPER.diffusivity() * (2.0 * sine / cell).powi(2);
     let kappa = PI * band / width;
     let shape = 3.0 * (kappa.sin() - kappa * kappa.cos()) / kappa.powi(3);
     // Heat came in evenly over the first second.
     let gain = -(-rate).exp_m1() / rate;
-    let first = 50.0 * (PI * 0.008 / width).sin() * shape * gain;
-    for (time, slack) in [(1.0_f64, 0.003), (11.0, 0.005), (31.0, 0.01)] {
-        if time > 1.0 {
-            let from = if time < 12.0 { 1.0 } else { 11.0 };
-            let steps = (time - from) as u32;
-            run(&mut model, &NIGHT, |_| vec![Wheel::default()], from, steps, 1.0);
-        }
-        let of_cells = cells(&model).into_iter().zip(model.section_rises());
-        let odd = of_cells.map(|(cell, rise)| {
-            let capacity = Material::PAPER.heat_capacity() * cell.area;
-            capacity * rise * (PI * cell.middle.y / width).sin()
-        });
-        let (found, wanted) = (odd.sum::<f64>(), first * (-rate * (time - 1.0)).exp());
-        println!("{time} s: {found:.5} of {wanted:.5} J/m");
-        assert!((found / wanted - 1.0).abs() < slack, "{time} s: {found} of {wanted} J/m");
+    let wanted = 50.0 * (PI * 0.008 / width).sin() * shape * gain;
+    let odd = |model: &EnergyModel| -> f64 {
+        let capacity = Material::PAPER.heat_capacity();
+        let of_cells = cells(model).into_iter().zip(model.section_rises());
+        let odd =
+            of_cells.map(|(cell, rise)| cell.area * rise * (PI * cell.middle.y / width).sin());
+        capacity * odd.sum::<f64>()
+    };
+    let first = odd(&model);
+    println!("{first:.5} of {wanted:.5} J/m");
+    assert!((first / wanted - 1.0).abs() < 0.015, "{first} of {wanted} J/m");
+    let mut time = 1.0;
+    for steps in [10, 20] {
+        run(&mut model, &NIGHT, |_| vec![Wheel::default()], time, steps, 1.0);
+        time += f64::from(steps);
+        let (found, wanted) = (odd(&model), first * (-rate * (time - 1.0)).exp());
+        println!("{time} s: {:.1e} off", found / wanted - 1.0);
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{time} s: {found} of {wanted} J/m");
         assert!((heat(&model) / 50.0 - 1.0).abs() < 1e-9, "{} J/m", heat(&model));
     }
     run(&mut model, &NIGHT, |_| vec![Wheel::default()], 31.0, 240, 60.0);
