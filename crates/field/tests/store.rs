@@ -240,7 +240,7 @@ fn wrong_snapshots_are_refused_and_the_earlier_ones_stay() {
     let path = folder.path().join("rail.zarr");
     let mut writer = create(&path);
     writer.append(2.0, &rise(&axes(), 0), &[]).unwrap();
-    let size = writer.append(3.0, &[0.0; 7]).unwrap_err();
+    let size = writer.append(3.0, &[0.0; 7], &[]).unwrap_err();
     assert!(matches!(size, FieldError::Size { found: 7, wanted: 12500, .. }));
     let late = writer.append(2.0, &rise(&axes(), 1), &[]).unwrap_err();
     assert!(matches!(late, FieldError::NotLater { .. }));

@@ -54,7 +54,7 @@ class View {
     fill("wheel", run.wheels.map((wheel, index) => [index, wheelName(wheel)]), this.wheel, (wheel) => { this.wheel = wheel; this.rebuild(); });
     fill("heat-limit", this.limits.map((limit) => [limit, `±${withUnit(limit, "K")}`]), this.heatLimit, (limit) => { this.heatLimit = limit; this.update(); });
     const probes = [...run.rails[0]?.field?.sections?.chainage ?? []];
-    fill("probe", probes.map((chainage, probe) => [probe, `${chainage.toFixed(1)} m`]), this.probe, (probe) => { this.probe = probe; this.update(); });
+    fill("probe", probes.map((chainage, probe) => [probe, `${chainage.toFixed(2)} m`]), this.probe, (probe) => { this.probe = probe; this.update(); });
     byId("depth").addEventListener("change", ({ target }) => { this.depth = Number(target.value); this.update(); });
     this.fillField();
     const slider = byId("time");
@@ -184,7 +184,7 @@ class View {
       rows.push([`Rise of the foot there`, withUnit(foot, "K")]);
       if (field.sections) {
         const { rises } = sectionAt(field.sections, this.probe, time);
-        rows.push([`Section at ${field.sections.chainage[this.probe].toFixed(1)} m: warmest`, withUnit(Math.max(...rises), "K")]);
+        rows.push([`Section at ${field.sections.chainage[this.probe].toFixed(2)} m: warmest`, withUnit(Math.max(...rises), "K")]);
       }
     }
     listRows(byId("readout"), rows);

@@ -33,7 +33,7 @@ export function addSection(parent, run, state) {
   canvas.addEventListener("pointerleave", () => { said.textContent = ""; });
   return () => {
     const { time, rises } = now();
-    const title = `Rise of the section at ${sections.chainage[state.probe].toFixed(1)} m, ${side} rail, seen in the running direction`;
+    const title = `Rise of the section at ${sections.chainage[state.probe].toFixed(2)} m, ${side} rail, seen in the running direction`;
     caption.firstChild.textContent = title;
     caption.lastChild.textContent = timeInWords("section", time, state.time);
     canvas.setAttribute("aria-label", `${title}, from ${withUnit(Math.min(...rises), "K")} to ${withUnit(Math.max(...rises), "K")}`);
