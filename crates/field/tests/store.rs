@@ -104,6 +104,7 @@ fn property_sections_are_as_long_as_the_field() {
     let reader = FieldReader::open(&path).unwrap();
     assert_eq!(reader.axes(), &axes_with_sections());
     assert_eq!(reader.sections_at_time(1.2).unwrap(), sections(1));
+    assert!(path.join("section_rise/c/2/0/0").exists());
     let before = fs::read(path.join("temperature_rise/zarr.json")).unwrap();
     writer.append(3.0, &rise(&axes(), 3), &sections(3)).unwrap();
     fs::write(path.join("temperature_rise/zarr.json"), before).unwrap();
@@ -113,7 +114,7 @@ fn property_sections_are_as_long_as_the_field() {
     assert_eq!(length(), 3);
     let mut writer = FieldWriter::resume(&path, 2).unwrap();
     assert_eq!(length(), 2);
-    assert!(!path.join("section_rise/c/2").exists(), "what is cut is removed");
+    assert!(!path.join("section_rise/c/2/0/0").exists(), "what is cut is removed");
     writer.append(7.0, &rise(&axes(), 7), &sections(7)).unwrap();
     let reader = FieldReader::open(&path).unwrap();
     assert_eq!((reader.times(), length()), (&[0.0, 1.0, 7.0][..], 3));

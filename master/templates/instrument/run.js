@@ -27,6 +27,7 @@ export function readRun(element) {
       of: new Map(outputs.vehicles.map(({ number, quantities }) => [number, byName(quantities)])),
     },
     wheelEvery: wheels.every,
+    wheelsLeftOut: wheels.left_out,
     wheelTime: unpacked(wheels.time),
     wheels: wheels.wheels.map(({ position, quantities, ...wheel }) =>
       ({ ...wheel, position: unpacked(position), of: byName(quantities) })),
@@ -137,6 +138,7 @@ export function leftOut(run) {
   every(run.driver.every, "train and recorded vehicles, with the extremes between them");
   every(run.all.every, "the whole train");
   every(run.wheelEvery, "the wheels");
+  if (run.wheelsLeftOut) said.push(`none of the last ${run.wheelsLeftOut} recorded wheels`);
   every(run.outputs.every, "the further outputs, with the extremes between them");
   if (run.outputs.leftOut) said.push(`none of ${run.outputs.leftOut} further outputs`);
   for (const { side, field } of run.rails) {

@@ -8,7 +8,7 @@ use super::quantities::Quantity;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Numbers that all outputs together may take.
-const BUDGET: usize = 45_000;
+const BUDGET: usize = 35_000;
 
 /// Records of an output that are shown at least: outputs that have no room for these are left out.
 const FEWEST: usize = 100;

@@ -12,13 +12,13 @@ use super::sections::Sections;
 use crate::report::data::{Foot, RailData};
 
 /// Columns of the field along the track, at most.
-const MOST_COLUMNS: usize = 200;
+const MOST_COLUMNS: usize = 160;
 
 /// Rises that are no more than this are none, K.
 const SMALL: f32 = 1e-6;
 
 /// Numbers that the fields of all rails may take.
-const BUDGET: usize = 300_000;
+const BUDGET: usize = 200_000;
 
 /// A heated rail.
 #[derive(Debug, Clone, Serialize)]
@@ -87,7 +87,8 @@ impl Field {
         }
         let depths = axes.depth.len().max(1);
         let columns = axes.chainage.len().min(MOST_COLUMNS);
-        let most = (BUDGET / (columns * depths * rails.max(1))).clamp(4, 200);
+        let most = BUDGET / (columns * depths * rails.max(1));
+        let most = most.saturating_sub(wanted.len()).clamp(4, 200);
         let picks = Picks::of(times.len(), most).with_nearest(times, wanted);
         let mut changed = axes.chainage.len()..0;
         for time in picks.values(times) {

@@ -7,7 +7,7 @@ use super::decimate::Picks;
 use super::packed::{Packed, PackedRows};
 
 /// Numbers that the sections of all rails may take.
-const BUDGET: usize = 60_000;
+const BUDGET: usize = 45_000;
 
 /// Middles that differ by no more than this are the same, m.
 const SAME: f64 = 1e-9;
@@ -41,7 +41,8 @@ impl Sections {
             return Ok(None);
         };
         let most = BUDGET / (sections.values() * rails.max(1)).max(1);
-        let picks = Picks::of(times.len(), most.clamp(2, 200)).with_nearest(times, wanted);
+        let most = most.saturating_sub(wanted.len()).clamp(2, 200);
+        let picks = Picks::of(times.len(), most).with_nearest(times, wanted);
         let mut rows = vec![];
         for time in picks.values(times) {
             let rises: Vec<f64> =
