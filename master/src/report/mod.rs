@@ -54,6 +54,8 @@ mod write;
 #[cfg(test)]
 mod drawing_tests;
 #[cfg(test)]
+mod full_size_tests;
+#[cfg(test)]
 mod invented;
 #[cfg(test)]
 mod system_tests;
