@@ -1,4 +1,4 @@
-//! The page of a run of full size stays small: 130 vehicles, 2001 records, two rails.
+//! The page of a run of full size stays small: 130 vehicles, 801 records, two rails.
 
 use std::fs;
 use std::path::Path;
@@ -14,7 +14,8 @@ use crate::recording::{
 };
 
 const VEHICLES: usize = 130;
-const RECORDS: u32 = 2001;
+/// More than any curve of a page has.
+const RECORDS: u32 = 801;
 const RECORDED: [usize; 5] = [1, 2, 3, 66, 130];
 
 /// What of the train's own outputs the page shows.

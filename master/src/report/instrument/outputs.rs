@@ -97,7 +97,7 @@ mod tests {
         let mut writer = SeriesWriter::create(folder.path(), "outputs", keys, columns, 10).unwrap();
         for record in 0..3 {
             writer.observe(0, &[f64::from(record), 1.0]);
-            writer.observe(1, &[-f64::from(record), f64::NAN]);
+            writer.observe(1, &[2.0 - f64::from(record), f64::NAN]);
             writer.record(0.1 * f64::from(record)).unwrap();
         }
         writer.finish().unwrap();
@@ -110,7 +110,7 @@ mod tests {
         assert_eq!(outputs.vehicles[0].number, 2);
         assert_eq!(names(&outputs.vehicles[0]), ["a.force", "b.force"]);
         assert_eq!(names(&outputs.vehicles[1]), ["a.force"]);
-        assert_eq!(outputs.vehicles[1].quantities[0].value, Packed::of([0.0, -1.0, -2.0]));
+        assert_eq!(outputs.vehicles[1].quantities[0].value, Packed::of([2.0, 1.0, 0.0]));
         assert!(outputs.vehicles[1].quantities[0].lowest.is_some());
     }
 }
