@@ -1,27 +1,24 @@
 """The report in a real browser: Chromium as Debian packages it."""
 
 import re
-import shutil
 
 import numpy
-import pyarrow.parquet as parquet
 import pytest
 import zarr
-from playwright.sync_api import sync_playwright
+from report_page import (
+    browser,
+    changed,
+    close,
+    drawings,
+    needs_browser,
+    number,
+    readout,
+    row_of,
+    set_slider,
+    table,
+)
 
-CHROMIUM = shutil.which("chromium")
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed")
-
-PREFIXES = {"n": 1e-9, "µ": 1e-6, "m": 1e-3, "": 1.0, "k": 1e3, "M": 1e6}
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        yield browser
-        browser.close()
-
+pytestmark = needs_browser
 
 @pytest.fixture(scope="module")
 def opened(browser, run):
@@ -54,60 +51,7 @@ def page(opened):
 @pytest.fixture(scope="module")
 def series(run):
     """The tables of the run as columns by name."""
-    def table(name):
-        columns = parquet.read_table(run / "series" / f"{name}.parquet").to_pydict()
-        return {key: numpy.array(values) for key, values in columns.items()}
-    return {name: table(name) for name in ("vehicles", "wheels")}
-
-
-def number(text, unit):
-    """A number as the page shows it, such as `−173.2 kN`, in the unit without prefix."""
-    text = text.replace("−", "-").replace("chainage ", "")
-    found = re.fullmatch(rf"(-?[\d.]+) ?([nµmkM]?){re.escape(unit)}", text)
-    assert found, text
-    return float(found[1]) * PREFIXES[found[2]]
-
-
-def close(shown, expected):
-    """Whether four digits are shown of the expected value."""
-    return abs(shown - expected) <= 1e-3 * abs(expected) + 1e-12
-
-
-def readout(page):
-    """What the page says in numbers at the chosen time."""
-    rows = page.query_selector_all("#readout div")
-    return {row.query_selector("dt").inner_text(): row.query_selector("dd").inner_text() for row in rows}
-
-
-def set_slider(page, share):
-    page.evaluate(
-        """share => {
-            const slider = document.getElementById("time");
-            slider.value = Math.round(share * slider.max);
-            slider.dispatchEvent(new Event("input"));
-        }""",
-        share,
-    )
-
-
-def drawings(page):
-    """All drawings of the linked view, by their titles."""
-    return page.evaluate(
-        """() => Object.fromEntries([...document.querySelectorAll("#linked-view figure")].map((figure) =>
-            [figure.querySelector("strong").textContent, figure.querySelector("canvas").toDataURL()]))"""
-    )
-
-
-def changed(before, after):
-    return {title for title in before if title in after and before[title] != after[title]}
-
-
-def row_of(table, **keys):
-    """The rows of a table whose columns have these values."""
-    rows = numpy.ones(len(table["time"]), dtype=bool)
-    for key, value in keys.items():
-        rows &= table[key] == value if isinstance(value, (int, str)) else numpy.isclose(table[key], value)
-    return rows
+    return {name: table(run, name) for name in ("vehicles", "wheels")}
 
 
 @pytest.mark.parametrize("share", [0.0, 0.37, 1.0])

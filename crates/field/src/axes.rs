@@ -9,6 +9,28 @@ pub struct Axes {
     pub chainage: Vec<f64>,
     /// Depth of the middle of each cell below the running surface, m.
     pub depth: Vec<f64>,
+    /// Where the whole section is kept, if anywhere.
+    pub sections: Option<Sections>,
+}
+
+/// Places at which the rise of the whole section is kept, and the cells of the section.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sections {
+    /// Chainage of each place, m.
+    pub chainage: Vec<f64>,
+    /// Middle of each cell, to the right of the rail's middle, m.
+    pub y: Vec<f64>,
+    /// Middle of each cell, below the running surface, m.
+    pub z: Vec<f64>,
+    /// Area of steel in each cell, m².
+    pub area: Vec<f64>,
+}
+
+impl Sections {
+    /// Number of values of one snapshot.
+    pub fn values(&self) -> usize {
+        self.chainage.len() * self.y.len()
+    }
 }
 
 impl Axes {

@@ -4,21 +4,25 @@ use std::path::Path;
 
 use crate::error::FieldError;
 use crate::layout::{self, TEMPERATURE_RISE, TIME};
-use crate::reader::{of_dimensions, open};
+use crate::reader::{of_dimensions, open, section_rise};
 
-/// Gives a field whose writer was killed the same number of times and snapshots: within an append, the
-/// time becomes visible before its snapshot.
+/// Gives a field whose writer was killed the same number of times, sections and snapshots: within an
+/// append, time and sections become visible before the snapshot.
 ///
 /// # Errors
 /// When there is no rail field at the path, or it cannot be written.
 pub fn complete(path: &Path) -> Result<(), FieldError> {
     let store = layout::store(path)?;
     let rise = of_dimensions(path, open(path, &store, TEMPERATURE_RISE)?, 3)?;
-    let mut time = of_dimensions(path, open(path, &store, TIME)?, 1)?;
+    let time = of_dimensions(path, open(path, &store, TIME)?, 1)?;
     let snapshots = rise.shape()[0];
-    if time.shape()[0] == snapshots {
-        return Ok(());
+    for mut array in [Some(time), section_rise(path, &store)?].into_iter().flatten() {
+        let mut shape = array.shape().to_vec();
+        if shape[0] != snapshots {
+            shape[0] = snapshots;
+            array.set_shape(shape).map_err(|error| FieldError::zarr(path, error))?;
+            layout::write_metadata(path, &array)?;
+        }
     }
-    time.set_shape(vec![snapshots]).map_err(|error| FieldError::zarr(path, error))?;
-    layout::write_metadata(path, &time)
+    Ok(())
 }

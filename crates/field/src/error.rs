@@ -34,7 +34,7 @@ pub enum FieldError {
         path: PathBuf,
         /// Number of values given.
         found: usize,
-        /// Number of chainages times number of depths.
+        /// Number of chainages times depths, or of places times cells.
         wanted: usize,
     },
     /// A snapshot that does not come after the last one.

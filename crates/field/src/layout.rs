@@ -9,7 +9,7 @@ use zarrs::array::codec::ZstdCodec;
 use zarrs::array::{Array, ArrayBuilder, ArrayMetadataOptions, CodecOptions, data_type};
 use zarrs::filesystem::FilesystemStore;
 
-use crate::axes::Axes;
+use crate::axes::{Axes, Sections};
 use crate::error::FieldError;
 
 pub(crate) type Store = Arc<FilesystemStore>;
@@ -19,6 +19,14 @@ pub(crate) const TEMPERATURE_RISE: &str = "temperature_rise";
 pub(crate) const TIME: &str = "time";
 pub(crate) const CHAINAGE: &str = "chainage";
 pub(crate) const DEPTH: &str = "depth";
+pub(crate) const SECTION_RISE: &str = "section_rise";
+pub(crate) const SECTION_CHAINAGE: &str = "section_chainage";
+pub(crate) const SECTION_Y: &str = "section_y";
+pub(crate) const SECTION_Z: &str = "section_z";
+pub(crate) const SECTION_AREA: &str = "section_area";
+/// Dimensions of sections besides time.
+const PROBE: &str = "probe";
+const CELL: &str = "cell";
 
 /// Attribute by which a store is known to be a rail field.
 pub(crate) const KIND: (&str, &str) = ("kind", "hotfoot rail field");
@@ -102,14 +110,77 @@ pub(crate) fn depth(path: &Path, cells: usize) -> Result<StoredArray, FieldError
     coordinate(path, DEPTH, (cells as u64, cells as u64), attributes)
 }
 
+/// The sections, still without a snapshot. A snapshot is one chunk, so one file.
+pub(crate) fn section_rise(path: &Path, sections: &Sections) -> Result<StoredArray, FieldError> {
+    let (probes, cells) = (sections.chainage.len() as u64, sections.y.len() as u64);
+    ArrayBuilder::new(
+        vec![0, probes, cells],
+        vec![1, probes, cells],
+        data_type::float32(),
+        f32::NAN,
+    )
+    .bytes_to_bytes_codecs(vec![Arc::new(ZstdCodec::new(COMPRESSION_LEVEL, false))])
+    .dimension_names([TIME, PROBE, CELL].into())
+    .attributes(attributes(json!({
+        "coordinates": format!("{SECTION_CHAINAGE} {SECTION_Y} {SECTION_Z}"),
+        "long_name": "temperature rise of the cells of the section above their initial state",
+        "units": "K",
+    })))
+    .build(store(path)?, &format!("/{SECTION_RISE}"))
+    .map_err(|error| FieldError::zarr(path, error))
+}
+
+/// What is known of the places and cells of sections: each array with its values.
+pub(crate) fn of_sections<'s>(
+    path: &Path,
+    sections: &'s Sections,
+) -> Result<[(StoredArray, &'s [f64]); 4], FieldError> {
+    let array = |name, dimension, values: &'s [f64], described| {
+        let length = values.len() as u64;
+        let array = along(path, name, dimension, (length, length), attributes(described))?;
+        Ok::<_, FieldError>((array, values))
+    };
+    let chainage = json!({
+        "long_name": "chainage of the middle of the element whose section is kept",
+        "units": "m",
+    });
+    let y = json!({
+        "long_name": "middle of the cell, to the right of the rail's middle",
+        "units": "m",
+    });
+    let z = json!({
+        "positive": "down",
+        "long_name": "depth of the middle of the cell below the running surface",
+        "units": "m",
+    });
+    let area = json!({ "long_name": "area of steel in the cell", "units": "m2" });
+    Ok([
+        array(SECTION_CHAINAGE, PROBE, &sections.chainage, chainage)?,
+        array(SECTION_Y, CELL, &sections.y, y)?,
+        array(SECTION_Z, CELL, &sections.z, z)?,
+        array(SECTION_AREA, CELL, &sections.area, area)?,
+    ])
+}
+
 fn coordinate(
     path: &Path,
     name: &str,
+    lengths: (u64, u64),
+    attributes: Map<String, Value>,
+) -> Result<StoredArray, FieldError> {
+    along(path, name, name, lengths, attributes)
+}
+
+/// An array of one dimension.
+fn along(
+    path: &Path,
+    name: &str,
+    dimension: &str,
     (length, chunk): (u64, u64),
     attributes: Map<String, Value>,
 ) -> Result<StoredArray, FieldError> {
     ArrayBuilder::new(vec![length], vec![chunk], data_type::float64(), f64::NAN)
-        .dimension_names([name].into())
+        .dimension_names([dimension].into())
         .attributes(attributes)
         .build(store(path)?, &format!("/{name}"))
         .map_err(|error| FieldError::zarr(path, error))

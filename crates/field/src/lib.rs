@@ -12,6 +12,16 @@
 //!   depth/               f64 (depth), m, middle of each cell below the running surface
 //! ```
 //!
+//! Where the whole section is kept at some places, also
+//!
+//! ```text
+//!   section_rise/        f32 (time, probe, cell), zstd
+//!   section_chainage/    f64 (probe), m
+//!   section_y/           f64 (cell), m, to the right of the rail's middle
+//!   section_z/           f64 (cell), m, below the running surface
+//!   section_area/        f64 (cell), m2 of steel
+//! ```
+//!
 //! A snapshot is readable as soon as [`FieldWriter::append`] has returned: its values are on disk
 //! before the arrays' shapes grow, and a shape grows by a rename. A run that is killed leaves all
 //! snapshots that were appended.
@@ -35,7 +45,7 @@ mod reader;
 mod resumed;
 mod writer;
 
-pub use axes::{Attribute, Axes};
+pub use axes::{Attribute, Axes, Sections};
 pub use complete::complete;
 pub use error::FieldError;
 pub use reader::{FieldReader, Snapshot};

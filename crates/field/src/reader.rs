@@ -4,9 +4,12 @@ use std::path::{Path, PathBuf};
 
 use zarrs::array::{ArraySubset, ElementOwned, FromArrayBytes};
 
-use crate::axes::Axes;
+use crate::axes::{Axes, Sections};
 use crate::error::FieldError;
-use crate::layout::{self, CHAINAGE, DEPTH, Store, StoredArray, TEMPERATURE_RISE, TIME};
+use crate::layout::{
+    self, CHAINAGE, DEPTH, SECTION_AREA, SECTION_CHAINAGE, SECTION_RISE, SECTION_Y, SECTION_Z,
+    Store, StoredArray, TEMPERATURE_RISE, TIME,
+};
 use crate::writer::is_rail_field;
 
 /// Most values of a coordinate: a line of 1000 km in elements of 0.1 m.
@@ -27,6 +30,7 @@ pub struct Snapshot {
 pub struct FieldReader {
     path: PathBuf,
     temperature_rise: StoredArray,
+    section_rise: Option<StoredArray>,
     axes: Axes,
     times: Vec<f64>,
 }
@@ -46,11 +50,21 @@ impl FieldReader {
         let store = layout::store(path)?;
         let temperature_rise = of_dimensions(path, open(path, &store, TEMPERATURE_RISE)?, 3)?;
         let axis = |name| coordinate(path, &of_dimensions(path, open(path, &store, name)?, 1)?);
-        let axes = Axes { chainage: axis(CHAINAGE)?, depth: axis(DEPTH)? };
+        let section_rise = section_rise(path, &store)?;
+        let sections = match section_rise {
+            None => None,
+            Some(_) => Some(Sections {
+                chainage: axis(SECTION_CHAINAGE)?,
+                y: axis(SECTION_Y)?,
+                z: axis(SECTION_Z)?,
+                area: axis(SECTION_AREA)?,
+            }),
+        };
+        let axes = Axes { chainage: axis(CHAINAGE)?, depth: axis(DEPTH)?, sections };
         let mut times = axis(TIME)?;
         // A writer that was killed within an append may have made the time visible only.
         times.truncate(temperature_rise.shape()[0] as usize);
-        Ok(Self { path: path.to_owned(), temperature_rise, axes, times })
+        Ok(Self { path: path.to_owned(), temperature_rise, section_rise, axes, times })
     }
 
     /// Where the values of each snapshot lie.
@@ -68,11 +82,30 @@ impl FieldReader {
     /// # Errors
     /// When the field has no snapshot or the file cannot be read.
     pub fn at_time(&self, time: f64) -> Result<Snapshot, FieldError> {
+        self.snapshot(self.nearest(time)?)
+    }
+
+    /// The sections at the snapshot nearest to `time`: the rise in K, the cells of the first place first;
+    /// nothing where none are kept.
+    ///
+    /// # Errors
+    /// When the field has no snapshot or the file cannot be read.
+    pub fn sections_at_time(&self, time: f64) -> Result<Vec<f32>, FieldError> {
+        let (Some(array), Some(sections)) = (&self.section_rise, &self.axes.sections) else {
+            return Ok(vec![]);
+        };
+        let index = self.nearest(time)? as u64;
+        let (places, cells) = (sections.chainage.len() as u64, sections.y.len() as u64);
+        let ranges = [index..index + 1, 0..places, 0..cells];
+        read(&self.path, array, &ArraySubset::new_with_ranges(&ranges))
+    }
+
+    /// The number of the snapshot nearest to a time, the earlier one of two.
+    fn nearest(&self, time: f64) -> Result<usize, FieldError> {
         let distance = |index: &usize| (self.times[*index] - time).abs();
-        let nearest = (0..self.times.len())
+        (0..self.times.len())
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-            .ok_or_else(|| FieldError::NoSnapshot { path: self.path.clone() })?;
-        self.snapshot(nearest)
+            .ok_or_else(|| FieldError::NoSnapshot { path: self.path.clone() })
     }
 
     /// The snapshot number `index`, from zero, of [`times`](Self::times).
@@ -93,6 +126,14 @@ pub(crate) fn open(path: &Path, store: &Store, name: &str) -> Result<StoredArray
         path: path.to_owned(),
         reason: format!("array {name}: {error}"),
     })
+}
+
+/// The sections of a store that has some.
+pub(crate) fn section_rise(path: &Path, store: &Store) -> Result<Option<StoredArray>, FieldError> {
+    match path.join(SECTION_RISE).is_dir() {
+        true => of_dimensions(path, open(path, store, SECTION_RISE)?, 3).map(Some),
+        false => Ok(None),
+    }
 }
 
 /// The array, if it has so many dimensions.

@@ -16,6 +16,8 @@ pub struct FieldWriter {
     path: PathBuf,
     temperature_rise: StoredArray,
     time: StoredArray,
+    /// Sections, and the number of values of a snapshot of them.
+    sections: Option<(StoredArray, usize)>,
     /// One snapshot with the padding that fills the last chunk.
     shard: Vec<f32>,
     values: usize,
@@ -35,7 +37,10 @@ impl FieldWriter {
         axes: &Axes,
         attributes: &[(&str, Attribute)],
     ) -> Result<Self, FieldError> {
-        for (axis, values) in [("chainage", &axes.chainage), ("depth", &axes.depth)] {
+        let sections = axes.sections.iter();
+        let of_sections = sections.flat_map(|s| [("probe", &s.chainage), ("cell", &s.y)]);
+        let of_field = [("chainage", &axes.chainage), ("depth", &axes.depth)];
+        for (axis, values) in of_field.into_iter().chain(of_sections) {
             if values.is_empty() {
                 let path = path.to_owned();
                 return Err(FieldError::EmptyAxis { path, axis });
@@ -49,6 +54,12 @@ impl FieldWriter {
             store(path, &array, &[0], values)?;
             layout::write_metadata(path, &array)?;
         }
+        if let Some(sections) = &axes.sections {
+            for (array, values) in layout::of_sections(path, sections)? {
+                store(path, &array, &[0], values)?;
+                layout::write_metadata(path, &array)?;
+            }
+        }
         let writer = Self::after(path, axes, &[])?;
         writer.show()?;
         Ok(writer)
@@ -58,10 +69,15 @@ impl FieldWriter {
     pub(crate) fn after(path: &Path, axes: &Axes, times: &[f64]) -> Result<Self, FieldError> {
         let (temperature_rise, time) = (layout::temperature_rise(path, axes)?, layout::time(path)?);
         let shard = shard_values(path, &temperature_rise)?;
+        let sections = match &axes.sections {
+            Some(sections) => Some((layout::section_rise(path, sections)?, sections.values())),
+            None => None,
+        };
         let mut writer = Self {
             path: path.to_owned(),
             temperature_rise,
             time,
+            sections,
             shard: vec![f32::NAN; shard],
             values: axes.values(),
             snapshots: times.len() as u64,
@@ -80,7 +96,10 @@ impl FieldWriter {
         };
         for n in self.snapshots.. {
             let mut found = false;
-            for (array, chunk) in [(&self.time, &[n][..]), (&self.temperature_rise, &[n, 0, 0])] {
+            let (of_time, of_field) = ([n], [n, 0, 0]);
+            let sections = self.sections.iter().map(|(array, _)| (array, &of_field[..]));
+            let others = [(&self.time, &of_time[..]), (&self.temperature_rise, &of_field[..])];
+            for (array, chunk) in others.into_iter().chain(sections) {
                 found |= array.retrieve_encoded_chunk(chunk).map_err(|e| zarr(&e))?.is_some();
                 array.erase_chunk(chunk).map_err(|e| zarr(&e))?;
             }
@@ -92,30 +111,38 @@ impl FieldWriter {
     }
 
     fn set_length(&mut self, snapshots: u64) -> Result<(), FieldError> {
-        let mut shape = self.temperature_rise.shape().to_vec();
-        shape[0] = snapshots;
-        grow(&self.path, &mut self.time, vec![snapshots])?;
-        grow(&self.path, &mut self.temperature_rise, shape)
+        grow(&self.path, &mut self.time, snapshots)?;
+        if let Some((sections, _)) = &mut self.sections {
+            grow(&self.path, sections, snapshots)?;
+        }
+        grow(&self.path, &mut self.temperature_rise, snapshots)
     }
 
-    /// Makes visible what is on disk.
+    /// Makes visible what is on disk; the field itself last, whose length is that of the store.
     fn show(&self) -> Result<(), FieldError> {
         layout::write_metadata(&self.path, &self.time)?;
+        if let Some((sections, _)) = &self.sections {
+            layout::write_metadata(&self.path, sections)?;
+        }
         layout::write_metadata(&self.path, &self.temperature_rise)
     }
 
-    /// Appends the snapshot at `time` in s: the rise in K, the depths of the first element first.
+    /// Appends the snapshot at `time` in s: the rise in K, the depths of the first element first, and
+    /// that of the sections, the cells of the first place first (none where none are kept).
     ///
     /// # Errors
     /// When the snapshot has the wrong size, does not come after the last one, or cannot be
     /// written; the snapshots before it stay readable. When the store is no longer there: nothing is
     /// written then, for half of a store is none.
-    pub fn append(&mut self, time: f64, rise: &[f32]) -> Result<(), FieldError> {
-        self.check(time, rise)?;
+    pub fn append(&mut self, time: f64, rise: &[f32], sections: &[f32]) -> Result<(), FieldError> {
+        self.check(time, rise, sections)?;
         self.shard[..self.values].copy_from_slice(rise);
         let n = self.snapshots;
         self.set_length(n + 1)?;
         store(&self.path, &self.time, &[n], &[time])?;
+        if let Some((array, _)) = &self.sections {
+            store(&self.path, array, &[n, 0, 0], sections)?;
+        }
         store(&self.path, &self.temperature_rise, &[n, 0, 0], &self.shard)?;
         // The values are on disk; now they become visible.
         self.show()?;
@@ -129,13 +156,12 @@ impl FieldWriter {
         self.last
     }
 
-    fn check(&self, time: f64, rise: &[f32]) -> Result<(), FieldError> {
-        if rise.len() != self.values {
-            return Err(FieldError::Size {
-                path: self.path.clone(),
-                found: rise.len(),
-                wanted: self.values,
-            });
+    fn check(&self, time: f64, rise: &[f32], sections: &[f32]) -> Result<(), FieldError> {
+        let of_sections = self.sections.as_ref().map_or(0, |(_, values)| *values);
+        for (found, wanted) in [(rise.len(), self.values), (sections.len(), of_sections)] {
+            if found != wanted {
+                return Err(FieldError::Size { path: self.path.clone(), found, wanted });
+            }
         }
         if !is_rail_field(&self.path) {
             return Err(FieldError::Gone { path: self.path.clone() });
@@ -194,7 +220,9 @@ fn shard_values(path: &Path, array: &StoredArray) -> Result<usize, FieldError> {
     Ok(shape.iter().map(|length| length.get() as usize).product())
 }
 
-fn grow(path: &Path, array: &mut StoredArray, shape: Vec<u64>) -> Result<(), FieldError> {
+fn grow(path: &Path, array: &mut StoredArray, snapshots: u64) -> Result<(), FieldError> {
+    let mut shape = array.shape().to_vec();
+    shape[0] = snapshots;
     array.set_shape(shape).map(|_| ()).map_err(|error| FieldError::zarr(path, error))
 }
 

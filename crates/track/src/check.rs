@@ -22,6 +22,9 @@ impl Content {
         for (i, point) in self.gradient.iter().enumerate() {
             point.check(&check.element("gradient", i))?;
         }
+        for (i, limit) in self.speed_limit.iter().enumerate() {
+            limit.check(&check.element("speed_limit", i))?;
+        }
         check_order(check, "curvature", self.curvature.iter().map(|point| point.chainage_m))?;
         check_order(check, "gradient", self.gradient.iter().map(|point| point.chainage_m))?;
         match (self.alignment.is_empty(), self.curvature.first()) {

@@ -22,13 +22,14 @@
 //! linearly, or, with `gradient_interpolation = "cubic"` or `curvature_interpolation = "cubic"`, by a
 //! cubic spline. A chainage that stands twice is a step, and the end of a spline.
 //!
-//! The sections `[irregularity]`, `[support]` and `[[friction]]` are those of `irregularity/file.rs`,
-//! `support.rs` and `friction.rs`.
+//! The sections `[irregularity]`, `[support]`, `[[friction]]` and `[[speed_limit]]` are those of
+//! `irregularity/file.rs`, `support.rs`, `friction.rs` and `speed_limit.rs`.
 
 use numerics::Interpolation;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::speed_limit::SpeedLimit;
 use crate::{friction, irregularity, support};
 
 /// What a track file says.
@@ -61,6 +62,8 @@ pub(crate) struct Content {
     /// How slippery the rails are, by points.
     #[serde(default)]
     pub friction: Vec<friction::Point>,
+    #[serde(default)]
+    pub speed_limit: Vec<SpeedLimit>,
 }
 
 /// An element of the alignment.

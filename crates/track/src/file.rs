@@ -7,6 +7,7 @@ use files::{Document, Mistake};
 use crate::content::Content;
 use crate::friction::Friction;
 use crate::irregularity::Irregularity;
+use crate::speed_limit::SpeedLimit;
 use crate::support::Support;
 use crate::track::Track;
 
@@ -86,6 +87,11 @@ impl TrackFile {
     /// When a value is not possible.
     pub fn friction(&self) -> Result<Friction, Mistake> {
         Friction::compile(&self.content.friction, &self.document.check())
+    }
+
+    /// The speed limits; [`Self::track`] says whether their values are possible.
+    pub fn speed_limits(&self) -> &[SpeedLimit] {
+        &self.content.speed_limit
     }
 
     /// The file with measured irregularities that it names, if it names one.

@@ -10,6 +10,7 @@
 //! | `irregularity/` | offsets of the rails from their designed line |
 //! | `support.rs` | the elastic support of the rails |
 //! | `friction.rs` | how slippery the rails are |
+//! | `speed_limit.rs` | how fast a train may run |
 //!
 //! Positive curvature is a right-hand curve; positive cant lowers the right rail (the inner rail
 //! of a right-hand curve); a positive gradient rises in the running direction.
@@ -21,11 +22,13 @@ mod content;
 mod file;
 mod friction;
 pub mod irregularity;
+mod speed_limit;
 mod support;
 mod track;
 
 pub use file::TrackFile;
 pub use friction::Friction;
 pub use irregularity::{Irregularity, RailOffset};
+pub use speed_limit::SpeedLimit;
 pub use support::Support;
 pub use track::{Location, Track, TrackPoint};

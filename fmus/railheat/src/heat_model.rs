@@ -2,7 +2,21 @@
 
 use crate::contact::Wheel;
 use crate::line::{Highest, Line, Stray};
+use crate::section::Cell;
 use crate::weather::Weather;
+
+/// Where the rise of the whole section is kept.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Places<'m> {
+    /// Chainage of each place, m.
+    pub chainages: Vec<f64>,
+    /// The cells of the section.
+    pub cells: &'m [Cell],
+    /// Width of their rectangles, m.
+    pub cell_width: f64,
+    /// Whether the field side is to the right.
+    pub field_side_is_right: bool,
+}
 
 /// The heat of one rail: a step, and what is read after it.
 ///
@@ -35,6 +49,14 @@ pub trait HeatModel {
 
     /// Writes the rises in K into `values`, the depths of the first element first.
     fn snapshot(&self, values: &mut [f32]);
+
+    /// Where the rise of the whole section is kept, if anywhere.
+    fn places(&self) -> Option<Places<'_>> {
+        None
+    }
+
+    /// Writes the rises of the section at these places in K, the cells of the first place first.
+    fn sections(&self, _values: &mut [f32]) {}
 
     /// The rise of an element over the initial state at a level, K.
     fn rise(&self, element: usize, level: usize) -> f64;

@@ -8,11 +8,8 @@ use super::facts::{EnergyLine, RunFacts};
 use super::instrument::Instrument;
 use super::provenance::Provenance;
 use super::results::Results;
-use super::{main_figures, rail_figures};
+use super::{main_figures, rail_figures, speed_limits};
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
-
-/// Column of the train in which the speed of a logger stands.
-const MEASURED_SPEED: &str = "driver.measured_speed";
 
 /// All that a report shows.
 #[derive(Debug)]
@@ -54,25 +51,19 @@ pub fn collect(folder: &Path) -> Result<ReportData, ReportError> {
         None => vec![],
     };
     let instrument = Instrument::of(folder, &results, &rails)?;
-    let measured_speed = match train.columns().any(|column| column.name() == MEASURED_SPEED) {
-        true => train.read(MEASURED_SPEED, &[])?,
-        false => vec![],
-    };
     let warnings = [facts.warnings.clone(), instrument.unread.clone()].concat();
+    let notes = [facts.notes.clone(), speed_limits::exceeded(facts, vehicles)?].concat();
     Ok(ReportData {
         main_figures: main_figures::of_run(&results, instrument.residual.as_ref())?,
         energy: energy(facts, train),
         time: vehicles.read("time", &leading)?,
         speed: vehicles.read("velocity", &leading)?,
-        measured_speed: match measured_speed.iter().any(|speed| *speed != 0.0) {
-            true => measured_speed,
-            false => vec![],
-        },
+        measured_speed: results.measured_speed()?,
         lowest_coupler_force: extreme(vehicles, facts, "coupler_rear_force_min", f64::min)?,
         highest_coupler_force: extreme(vehicles, facts, "coupler_rear_force_max", f64::max)?,
         rails,
         provenance: provenance.clone(),
-        facts: RunFacts { warnings, ..facts.clone() },
+        facts: RunFacts { warnings, notes, ..facts.clone() },
         instrument,
     })
 }

@@ -1,6 +1,7 @@
 //! What the run itself adds to the results: the part `[run]` of the manifest.
 
 use serde::{Deserialize, Serialize};
+use track::SpeedLimit;
 
 /// Facts that stand in no series; the run writes them as the table `run` of `manifest.toml`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -100,6 +101,9 @@ pub struct TrackFacts {
     pub cant_angle_rad: Vec<f64>,
     /// Gradient, positive uphill.
     pub gradient: Vec<f64>,
+    /// Speed limits.
+    #[serde(default)]
+    pub speed_limit: Vec<SpeedLimit>,
 }
 
 /// Limits of a run's figures, from the file of expected figures beside its scenario.

@@ -56,7 +56,9 @@ pub(super) fn pictures(data: &ReportData) -> Result<Vec<Panel>, ReportError> {
         panels.extend(heat(&data.rails)?);
     }
     panels.push(speed(data)?);
-    panels.push(coupler_forces(data)?);
+    if data.facts.vehicles > 1 {
+        panels.push(coupler_forces(data)?);
+    }
     Ok(panels)
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use field::{Axes, FieldWriter};
+use field::{Axes, FieldWriter, Sections};
 
 use super::{EnergyLine, LimitFacts, RailFacts, RunFacts, TrackFacts};
 use crate::recording::{Column, Key, KeyValues, SeriesWriter, VehicleRow, vehicle_keys};
@@ -134,6 +134,7 @@ fn write_field(store: &Path) {
     let axes = Axes {
         chainage: (0..300).map(|i| f64::from(i) + 0.5).collect(),
         depth: (0..40).map(|i| 4e-3 * f64::from(i) + 2e-3).collect(),
+        sections: Some(sections()),
     };
     let mut writer = FieldWriter::create(store, &axes, &[]).unwrap();
     for time in [10.0, 20.0] {
@@ -143,7 +144,18 @@ fn write_field(store: &Path) {
         };
         let along = axes.chainage.iter();
         let values = along.flat_map(|&x| axes.depth.iter().map(move |&z| rise(x, z) as f32));
-        writer.append(time, &values.collect::<Vec<f32>>()).unwrap();
+        let sections: Vec<f32> = (0..6).map(|cell| (time / 20.0) as f32 * cell as f32).collect();
+        writer.append(time, &values.collect::<Vec<f32>>(), &sections).unwrap();
+    }
+}
+
+/// Two probes with three cells each, of 4 mm.
+fn sections() -> Sections {
+    Sections {
+        chainage: vec![100.5, 120.5],
+        y: vec![-0.004, 0.0, 0.004],
+        z: vec![0.002, 0.002, 0.006],
+        area: vec![1.6e-5; 3],
     }
 }
 
@@ -172,6 +184,7 @@ pub fn facts() -> RunFacts {
             curvature_per_m: vec![0.0, 0.0, 0.002, 0.002, 0.0],
             cant_angle_rad: vec![0.0; 5],
             gradient: vec![0.0; 5],
+            speed_limit: vec![],
         },
         limits: LimitFacts::default(),
         step_s: 1e-3,

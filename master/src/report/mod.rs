@@ -9,6 +9,7 @@
 //! | `collect.rs` | all that it shows, read from them |
 //! | `main_figures.rs` | the table of main figures |
 //! | `output_figures.rs` | what the run says of further outputs that were recorded |
+//! | `speed_limits.rs` | where the train exceeds a speed limit |
 //! | `rail_figures.rs` | what the run says of each rail |
 //! | `verdict.rs`, `limits.rs` | the answer in sentences, and limits that it is judged by |
 //! | `instrument/` | the numbers of the linked view |
@@ -46,6 +47,7 @@ mod quantity;
 mod rail_figures;
 mod results;
 mod script;
+mod speed_limits;
 mod system;
 mod verdict;
 mod wall_times;
@@ -53,6 +55,8 @@ mod write;
 
 #[cfg(test)]
 mod drawing_tests;
+#[cfg(test)]
+mod full_size_tests;
 #[cfg(test)]
 mod invented;
 #[cfg(test)]

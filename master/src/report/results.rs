@@ -8,7 +8,11 @@ use super::error::ReportError;
 use super::facts::RunFacts;
 use super::provenance::Provenance;
 use crate::files::file_error::read_toml;
-use crate::recording::SeriesReader;
+use crate::recording::{RecordingError, SeriesReader};
+
+/// Columns of the train with the speed of a logger, and the root mean square of the difference from it.
+const MEASURED_SPEED: &str = "driver.measured_speed";
+const SPEED_RMS: &str = "driver.speed_rms";
 
 /// The manifest of a train's run.
 #[derive(Deserialize)]
@@ -33,6 +37,28 @@ pub(super) struct Results {
 }
 
 impl Results {
+    /// Speed of the leading vehicle in a logger's file at the records, m/s; empty without one.
+    pub fn measured_speed(&self) -> Result<Vec<f64>, RecordingError> {
+        let measured = self.of_train(MEASURED_SPEED)?;
+        Ok(if measured.iter().any(|speed| *speed != 0.0) { measured } else { vec![] })
+    }
+
+    /// Root mean square of the speed less the measured one, over the run, m/s; none without a logger.
+    pub fn speed_rms(&self) -> Result<Option<f64>, RecordingError> {
+        match self.measured_speed()?.is_empty() {
+            true => Ok(None),
+            false => Ok(self.of_train(SPEED_RMS)?.last().copied()),
+        }
+    }
+
+    /// An output of the train at the records; empty where the train has no such output.
+    fn of_train(&self, name: &str) -> Result<Vec<f64>, RecordingError> {
+        match self.train.columns().any(|column| column.name() == name) {
+            true => self.train.read(name, &[]),
+            false => Ok(vec![]),
+        }
+    }
+
     /// Opens `manifest.toml` and `series/` in `folder`.
     pub fn open(folder: &Path) -> Result<Self, ReportError> {
         let series = folder.join("series");

@@ -14,10 +14,11 @@ const DRAWING: [&str; 3] = [
 ];
 
 /// The modules of the linked view.
-const MODULES: [&str; 5] = [
+const MODULES: [&str; 6] = [
     include_str!("../../templates/instrument/run.js"),
     include_str!("../../templates/instrument/along_track.js"),
     include_str!("../../templates/instrument/heat_map.js"),
+    include_str!("../../templates/instrument/section.js"),
     include_str!("../../templates/instrument/over_time.js"),
     include_str!("../../templates/instrument/main.js"),
 ];

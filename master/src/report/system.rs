@@ -11,7 +11,9 @@ use super::figures::{Figure, Panel, legend};
 use super::line_chart::LineChart;
 use super::page::fill;
 use super::palette::LINES;
+use super::provenance::Provenance;
 use super::quantity::with_unit;
+use super::wall_times::{WallTimes, wall_times};
 use crate::recording::{RecordingError, SeriesReader, TIME};
 
 /// What the run of a system writes as the table `system` of `manifest.toml`.
@@ -60,24 +62,19 @@ struct Page<'f> {
     facts: &'f SystemFacts,
     wall_time: String,
     recording: String,
-    times: Vec<ComponentTime<'f>>,
+    wall_times: WallTimes<'f>,
+    provenance: &'f Provenance,
     figures: Vec<Figure>,
     /// Number of quantities that no figure shows.
     left_out: usize,
 }
 
-/// Where the wall time went.
-#[derive(Serialize)]
-struct ComponentTime<'f> {
-    name: &'f str,
-    file: &'f str,
-    total: String,
-    /// In the mean over the steps.
-    each: String,
-}
-
 /// Makes the page for the results in `folder`.
-pub(super) fn render(facts: &SystemFacts, folder: &Path) -> Result<String, ReportError> {
+pub(super) fn render(
+    facts: &SystemFacts,
+    provenance: &Provenance,
+    folder: &Path,
+) -> Result<String, ReportError> {
     let mut figures = vec![];
     let (mut panels, mut shown, mut quantities) = (0, 0, 0);
     for component in &facts.component {
@@ -91,20 +88,14 @@ pub(super) fn render(facts: &SystemFacts, folder: &Path) -> Result<String, Repor
             figures.push(figure);
         }
     }
-    let steps = (facts.simulated_s / facts.step_s).round().max(1.0);
-    let times = facts.component.iter().map(|component| ComponentTime {
-        name: &component.name,
-        file: &component.fmu,
-        total: with_unit(component.wall_time_s, "s"),
-        each: with_unit(component.wall_time_s / steps, "s"),
-    });
     fill(
         "system.html",
         &Page {
             facts,
             wall_time: with_unit(facts.wall_time_s.unwrap_or(0.0), "s"),
             recording: with_unit(facts.recording_s, "s"),
-            times: times.collect(),
+            wall_times: wall_times(provenance),
+            provenance,
             figures,
             left_out: quantities - shown,
         },

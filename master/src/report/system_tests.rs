@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::provenance::{PartTime, Provenance, UnitFacts};
 use super::system::{ComponentFacts, SystemFacts};
 use super::write;
 use crate::recording::{Column, SeriesWriter};
@@ -32,6 +33,26 @@ fn facts() -> SystemFacts {
     }
 }
 
+/// What was run, with the time of the tank and what the pump warned of.
+fn provenance() -> Provenance {
+    let unit = |name: &str, wall_time_s: f64, message: Option<&str>| UnitFacts {
+        name: name.to_owned(),
+        fmu: format!("{name}.fmu"),
+        wall_time_s,
+        slowest_step_s: 1e-3,
+        slowest_at_s: 1.5,
+        last_message: message.map(str::to_owned),
+    };
+    Provenance {
+        command: "hotfoot run tank.ssp".to_owned(),
+        begun: "2026-11-30 12:00:00 UTC".to_owned(),
+        end: "complete".to_owned(),
+        wall_time_of: vec![PartTime { part: "stage 1".to_owned(), seconds: 0.4 }],
+        unit: vec![unit("tank", 0.4, None), unit("pump", 0.1, Some("the <pump> runs dry"))],
+        ..Provenance::default()
+    }
+}
+
 /// A table whose columns are, in turn, a force, ten speeds in km/h, and a number that never changes.
 fn write_table(folder: &Path, name: &str) {
     let speeds = (1..=10).map(|i| Column::new(&format!("speed[{i}]"), "km/h", "Speed").double());
@@ -55,9 +76,12 @@ fn report(facts: SystemFacts) -> String {
     #[derive(serde::Serialize)]
     struct Manifest {
         system: SystemFacts,
+        #[serde(flatten)]
+        provenance: Provenance,
     }
     let folder = tempfile::tempdir().unwrap();
-    let text = toml::to_string(&Manifest { system: facts }).unwrap();
+    let provenance = provenance();
+    let text = toml::to_string(&Manifest { system: facts, provenance }).unwrap();
     std::fs::write(folder.path().join("manifest.toml"), text).unwrap();
     write_table(folder.path(), "tank");
     write_table(folder.path(), "pump");
@@ -74,8 +98,10 @@ fn the_page_of_a_system_has_facts_times_and_what_changed() {
         "3 components from tank.ssp",
         "2.0 s simulated in steps of",
         "500 ms in all with 2 threads, of which recording took 50.0 ms",
-        // 0.4 s in 2000 steps.
-        "<td>tank</td><td>tank.fmu</td><td class=\"value\">400 ms</td><td class=\"value\">200 µs</td>",
+        "<td>tank <span class=\"location\">tank.fmu</span></td><td class=\"value\">400 ms</td><td class=\"value\">80.0 %</td>",
+        "the &lt;pump&gt; runs dry",
+        "What was run",
+        "hotfoot run tank.ssp",
         "Value in kN",
         "Value in km/h",
         // Of 24 quantities, each table shows its force and as many speeds as there are colours.

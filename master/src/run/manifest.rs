@@ -39,7 +39,7 @@ pub struct Manifest {
     wall_time_of: Vec<WallTime>,
     #[serde(default)]
     fmu: Vec<FmuEntry>,
-    /// The units of a train's run; those of another system are its components.
+    /// The units.
     #[serde(default)]
     unit: Vec<UnitFacts>,
     /// The main figures of the report, for programs.
@@ -145,8 +145,8 @@ impl Manifest {
         let wall = times.run;
         if let Some(run) = &mut self.run {
             run.wall_time_s = Some(wall.as_secs_f64());
-            self.unit = unit_facts(system);
         }
+        self.unit = unit_facts(system);
         if let Some(facts) = &mut self.system {
             facts.wall_time_s = Some(wall.as_secs_f64());
             facts.recording_s = times.recording.as_secs_f64();

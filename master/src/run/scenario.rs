@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use track::TrackPoint;
+use track::{TrackFile, TrackPoint};
 
 use super::after::Rails;
 use super::checkpoint::tape_file;
@@ -106,13 +106,14 @@ const MOST_POINTS: usize = 400;
 /// The track for the report; one that cannot be read has no points here, since the units that need
 /// it have already said so.
 fn track_facts(track: &Path) -> TrackFacts {
-    let profile = track::Track::from_file(track).map(|track| track.profile(MOST_POINTS));
-    let profile = profile.unwrap_or_default();
+    let Ok(file) = TrackFile::read(track) else { return TrackFacts::default() };
+    let profile = file.track().map(|track| track.profile(MOST_POINTS)).unwrap_or_default();
     let column = |pick: fn(&TrackPoint) -> f64| profile.iter().map(|(_, at)| pick(at)).collect();
     TrackFacts {
         chainage_m: profile.iter().map(|(chainage, _)| *chainage).collect(),
         curvature_per_m: column(|at| at.curvature),
         cant_angle_rad: column(|at| at.cant_angle),
         gradient: column(|at| at.gradient),
+        speed_limit: file.speed_limits().to_vec(),
     }
 }

@@ -38,7 +38,7 @@ export function addAlongTrack(group, parent, run, state) {
     title: "Track", height: 150, under: withTrain, draw: (plot) => paintVehicles(plot, run, state.time), ...track(run, group.whole),
   });
   const speeds = speedCurves(run, state);
-  if (speeds) addPanel(group, parent, { title: "Speed where the leading vehicle was", under: withTrain, ...speeds });
+  if (speeds) addPanel(group, parent, { title: "Speed where the leading vehicle was", note: rmsInWords(run), under: withTrain, ...speeds });
   const forces = addPanel(group, parent, {
     title: "Coupler forces along the train", under: withTrain, ...couplers(run, state),
     draw: (plot) => verticalLine(plot, instant(run, "position", state.time)[state.vehicle - 1], theme().faint),
@@ -67,6 +67,11 @@ export function addAlongTrack(group, parent, run, state) {
   const rail = run.rails[state.rail];
   if (rail?.field) updates.push(...addField(group, parent, run, state, rail, withTrain));
   return updates;
+}
+
+/** How far the simulated speed is from the measured one, in words; nothing without a measured one. */
+export function rmsInWords({ speed_rms: rms }) {
+  return rms == null ? "" : `root mean square of simulated less measured ${(3.6 * rms).toFixed(2)} km/h`;
 }
 
 /** The wheel in words. */
@@ -103,7 +108,8 @@ function addField(group, parent, run, state, rail, under) {
 /** Points between which the cursor finds no others. */
 const FINE = 300;
 
-function track({ track: { chainage, curvature, cant_angle, gradient } }, [begin, end]) {
+function track(run, [begin, end]) {
+  const { chainage, curvature, cant_angle, gradient } = run.track;
   const known = chainage.length ? [Math.min(begin, chainage[0]), ...chainage, Math.max(end, chainage.at(-1))] : [begin, end];
   // Between the ends of its pieces the track is linear: points in between are for the cursor.
   const x = [];
@@ -117,21 +123,33 @@ function track({ track: { chainage, curvature, cant_angle, gradient } }, [begin,
     const values = list.length ? [list[0], ...list, list.at(-1)].map(change) : [0, 0];
     return { label, unit: "1", value: x.map(at(values)), ...more };
   };
+  const places = x.map(at(known));
+  const limits = places.map((place) => 3.6 * speedLimit(run, place));
   return {
-    x: x.map(at(known)),
+    x: places,
     curves: [
       curve("curvature in 1/km (right positive)", curvature, (value) => 1e3 * value),
       curve("gradient in ‰ (uphill positive)", gradient, (value) => 1e3 * value),
       curve("cant in mm (right axis)", cant_angle, (angle) => 1e3 * TRACK_WIDTH * Math.sin(angle), { right: true }),
-    ],
+      run.speed_limits.length && { label: "speed limit in km/h (right axis)", unit: "1", value: limits, right: true, stepped: true },
+    ].filter(Boolean),
   };
+}
+
+/** The speed limit at a chainage, m/s: the lowest of those that hold; not-a-number where none does. */
+export function speedLimit({ speed_limits: limits }, at) {
+  const holding = limits.filter(({ from_m, to_m }) => from_m <= at && at < to_m);
+  return holding.length ? Math.min(...holding.map(({ speed_m_per_s }) => speed_m_per_s)) : NaN;
 }
 
 function speedCurves(run) {
   const { of } = run.driver;
   const curves = [["velocity", "simulated"], ["driver.target_speed", "target of the driver"], ["driver.measured_speed", "measured"]]
     .filter(([name]) => of.has(name)).map(([name, label]) => ({ ...of.get(name), label }));
-  return of.has("position") ? rising(of.get("position").value, curves) : null;
+  if (!of.has("position")) return null;
+  const at = of.get("position").value;
+  if (run.speed_limits.length) curves.push({ value: at.map((chainage) => speedLimit(run, chainage)), unit: "m/s", label: "speed limit", stepped: true });
+  return rising(at, curves);
 }
 
 /** Curves over abscissae that may repeat or go back: only the records that go on. */

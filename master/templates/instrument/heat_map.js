@@ -23,8 +23,7 @@ export function addHeatMap(group, parent, run, state, rail) {
   });
   // The curve lies outside the picture; the legend tells the rise under the cursor.
   panel.plot.series[1].value = (_, _number, _series, index) => index == null ? "–" : withUnit(value(panel.plot, field.chainage[index]), "K");
-  const scale = panel.figure.appendChild(document.createElement("div"));
-  scale.className = "colour-scale";
+  const scale = addScale(panel.figure);
   return () => {
     panel.plot.redraw(false);
     panel.setNote(`depth in mm; ${actualTime(field, state.time)}`);
@@ -100,8 +99,15 @@ function horizontalLine(plot, millimetres) {
   ctx.restore();
 }
 
+/** Adds the place of a colour scale to a figure. */
+export function addScale(figure) {
+  const scale = figure.appendChild(document.createElement("div"));
+  scale.className = "colour-scale";
+  return scale;
+}
+
 /** The colours between the limits, with their numbers. */
-function showScale(element, limit) {
+export function showScale(element, limit) {
   const { factor, symbol } = shownUnit("K", limit);
   const stops = Array.from({ length: 21 }, (_, index) => css(diverging(index / 10 - 1)));
   element.innerHTML = "<span></span><span class=\"colours\" role=\"img\"></span><span></span>";

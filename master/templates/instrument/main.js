@@ -1,11 +1,12 @@
 // The linked view: one time, one chainage, one vehicle, one wheel and one rail for all of its panels.
 
 import { nearest, withUnit } from "./numbers.js";
-import { actualTime, instant, leftOut, readRun, snapshot, vehicleOverTime, warmest, warmestFoot } from "./run.js";
+import { actualTime, hottestProbe, instant, leftOut, readRun, sectionAt, snapshot, vehicleOverTime, warmest, warmestFoot } from "./run.js";
 import { onTheme } from "./colours.js";
 import { Group } from "./panel.js";
 import { addAlongTrack, extentsAlong, wheelName } from "./along_track.js";
 import { heatLimits, riseAt } from "./heat_map.js";
+import { addSection } from "./section.js";
 import { addFoot, addOverDepth, addOverTime } from "./over_time.js";
 
 const byId = (id) => document.getElementById(id);
@@ -21,6 +22,7 @@ class View {
     // The first look is at the warmest foot, if it warms after the run, else at the end of the run.
     if (foot?.time > end) this.time = foot.time;
     if (foot) this.depth = field.depth.length - 1;
+    this.probe = field?.sections ? hottestProbe(field.sections) : 0;
     this.chainage = field ? (foot ?? warmest(field, 0))?.chainage ?? field.chainage[0] : null;
     const times = [run.all.time[0], end];
     const { whole, shown } = extentsAlong(run);
@@ -51,6 +53,8 @@ class View {
     fill("rail", run.rails.map(({ side }, index) => [index, side]), this.rail, (rail) => { this.rail = rail; this.fillField(); this.rebuild(); });
     fill("wheel", run.wheels.map((wheel, index) => [index, wheelName(wheel)]), this.wheel, (wheel) => { this.wheel = wheel; this.rebuild(); });
     fill("heat-limit", this.limits.map((limit) => [limit, `±${withUnit(limit, "K")}`]), this.heatLimit, (limit) => { this.heatLimit = limit; this.update(); });
+    const probes = [...run.rails[0]?.field?.sections?.chainage ?? []];
+    fill("probe", probes.map((chainage, probe) => [probe, `${chainage.toFixed(2)} m`]), this.probe, (probe) => { this.probe = probe; this.update(); });
     byId("depth").addEventListener("change", ({ target }) => { this.depth = Number(target.value); this.update(); });
     this.fillField();
     const slider = byId("time");
@@ -125,12 +129,12 @@ class View {
   /** Makes all panels anew, for another vehicle, wheel or rail. */
   rebuild() {
     for (const group of this.groups) group.clear();
-    const places = ["along-track", "over-time", "foot-over-time", "over-depth"].map(byId);
+    const places = ["along-track", "over-time", "foot-over-time", "over-depth", "section-picture"].map(byId);
     for (const place of places) place.replaceChildren();
     this.updates = addAlongTrack(this.along, places[0], this.run, this);
     addOverTime(this.over, places[1], this.run, this);
     addFoot(this.whole, places[2], this.run, this);
-    this.updates.push(addOverDepth(this.deep, places[3], this.run, this));
+    this.updates.push(addOverDepth(this.deep, places[3], this.run, this), addSection(places[4], this.run, this));
     this.update();
   }
 
@@ -165,6 +169,11 @@ class View {
     for (const [name, words] of Object.entries(names)) {
       if (of.has(name)) rows.push([`Vehicle ${vehicle}: ${words}`, value(of.get(name), at)]);
     }
+    if (run.speed_rms != null) {
+      const measured = run.driver.of.get("driver.measured_speed").value[driver];
+      rows.push(["Measured speed", `${measured.toFixed(2)} m/s, ${(3.6 * measured).toFixed(1)} km/h`]);
+      rows.push(["Simulated less measured, root mean square", `${run.speed_rms.toFixed(3)} m/s, ${(3.6 * run.speed_rms).toFixed(2)} km/h`]);
+    }
     const rail = run.rails[this.rail];
     if (rail?.field) {
       const { field, side } = rail;
@@ -173,14 +182,26 @@ class View {
       rows.push([`Rise at ${where.toFixed(1)} m, ${(1e3 * field.depth[this.depth]).toFixed(1)} mm deep`, withUnit(riseAt(field, this, this.chainage), "K")]);
       const foot = snapshot(field, time).rows.at(-1)[nearest(field.chainage, this.chainage)];
       rows.push([`Rise of the foot there`, withUnit(foot, "K")]);
+      if (field.sections) {
+        const { rises } = sectionAt(field.sections, this.probe, time);
+        rows.push([`Section at ${field.sections.chainage[this.probe].toFixed(2)} m: warmest`, withUnit(Math.max(...rises), "K")]);
+      }
     }
-    const list = byId("readout");
-    list.replaceChildren(...rows.map(([name, text]) => {
-      const row = document.createElement("div");
-      row.append(Object.assign(document.createElement("dt"), { textContent: name }), Object.assign(document.createElement("dd"), { textContent: text }));
-      return row;
-    }));
+    listRows(byId("readout"), rows);
+    const outputs = [...run.outputs.of.get(vehicle) ?? []];
+    const record = nearest(run.outputs.time, time);
+    byId("further").hidden = !outputs.length;
+    listRows(byId("further").querySelector("dl"), outputs.map(([name, quantity]) => [`Vehicle ${vehicle}: ${name}`, value(quantity, record)]));
   }
+}
+
+/** Makes the rows of a list: what, and its value. */
+function listRows(list, rows) {
+  list.replaceChildren(...rows.map(([name, text]) => {
+    const row = document.createElement("div");
+    row.append(Object.assign(document.createElement("dt"), { textContent: name }), Object.assign(document.createElement("dd"), { textContent: text }));
+    return row;
+  }));
 }
 
 const section = byId("linked-view");

@@ -2,7 +2,7 @@
 
 import { largest, nearest } from "./numbers.js";
 import { actualTime, snapshot, vehicleOverTime } from "./run.js";
-import { wheelName } from "./along_track.js";
+import { rmsInWords, wheelName } from "./along_track.js";
 import { addPanel, verticalLine } from "./panel.js";
 import { theme } from "./colours.js";
 
@@ -18,7 +18,7 @@ export function addOverTime(group, parent, run, state) {
   const train = (name, label, more) => of.has(name) && { ...of.get(name), label, ...more };
   add("Speed of the leading vehicle", time, [
     train("velocity", "simulated"), train("driver.target_speed", "target of the driver", { stepped: true }), train("driver.measured_speed", "measured"),
-  ]);
+  ], { note: rmsInWords(run) });
   add("Driver", time, [
     train("driver.in_force.notch", "notch", { stepped: true }),
     train("driver.in_force.dynamic_brake", "dynamic brake (right axis)", { stepped: true, right: true }),
@@ -28,6 +28,25 @@ export function addOverTime(group, parent, run, state) {
   add("Largest coupler forces of the whole train", time, [train("train.coupler.tension", "tension"), train("train.coupler.buff", "buff")]);
   addVehicle(add, run, state);
   addWheel(add, run, state);
+  addOutputs(add, run, state);
+}
+
+/** Curves in one panel, at most; more could not be told apart. */
+const MOST_CURVES = 6;
+
+/** Adds the further outputs of the chosen vehicle, those of one unit together. */
+function addOutputs(add, run, { vehicle }) {
+  const outputs = [...run.outputs.of.get(vehicle)?.values() ?? []];
+  for (const unit of new Set(outputs.map((output) => output.unit))) {
+    const ofUnit = outputs.filter((output) => output.unit === unit);
+    for (let first = 0; first < ofUnit.length; first += MOST_CURVES) {
+      const curves = ofUnit.slice(first, first + MOST_CURVES).map((output) => ({ ...output, label: output.name }));
+      // Bands of several curves would hide each other.
+      if (curves.length > 1) for (const curve of curves) curve.lowest = curve.highest = undefined;
+      const part = ofUnit.length > MOST_CURVES ? ` ${first + 1} to ${first + curves.length} of ${ofUnit.length}` : "";
+      add(`Further outputs${part}`, run.outputs.time, curves, { note: `vehicle ${vehicle}` });
+    }
+  }
 }
 
 function addVehicle(add, run, { vehicle }) {

@@ -1,6 +1,6 @@
 // The run as the page has it: tables of what was recorded.
 
-import { nearest, unpacked, unpackedRows } from "./numbers.js";
+import { largest, nearest, unpacked, unpackedRows } from "./numbers.js";
 
 /** Quantities by their names, with their numbers. */
 function byName(quantities) {
@@ -13,7 +13,7 @@ function byName(quantities) {
 
 /** The run whose numbers stand in an element of the page as JSON. */
 export function readRun(element) {
-  const { train, wheels, rails, track, ...facts } = JSON.parse(element.textContent);
+  const { train, wheels, rails, track, outputs, ...facts } = JSON.parse(element.textContent);
   const run = {
     ...facts,
     track: Object.fromEntries(Object.entries(track).map(([name, text]) => [name, unpacked(text)])),
@@ -22,7 +22,12 @@ export function readRun(element) {
     couplerLowest: unpacked(train.coupler_lowest),
     couplerHighest: unpacked(train.coupler_highest),
     recorded: new Map(train.recorded.map(({ number, quantities }) => [number, byName(quantities)])),
+    outputs: {
+      every: outputs.every, leftOut: outputs.left_out, time: unpacked(outputs.time),
+      of: new Map(outputs.vehicles.map(({ number, quantities }) => [number, byName(quantities)])),
+    },
     wheelEvery: wheels.every,
+    wheelsLeftOut: wheels.left_out,
     wheelTime: unpacked(wheels.time),
     wheels: wheels.wheels.map(({ position, quantities, ...wheel }) =>
       ({ ...wheel, position: unpacked(position), of: byName(quantities) })),
@@ -43,8 +48,29 @@ function readRail({ side, foot, field }) {
       chainage: unpacked(field.chainage),
       depth: unpacked(field.depth),
       rows: unpackedRows(field.rise),
+      sections: field.sections && readSections(field.sections),
     },
   };
+}
+
+function readSections({ size, rise, ...packed }) {
+  const lists = Object.fromEntries(Object.entries(packed).map(([name, text]) => [name, unpacked(text)]));
+  return { ...lists, width: size[0], height: size[1], rows: unpackedRows(rise) };
+}
+
+/** The section of a probe at the snapshot nearest to `time`: its actual time and the rise of each cell, K. */
+export function sectionAt(sections, probe, time) {
+  const index = nearest(sections.time, time);
+  return { time: sections.time[index], rises: sections.rows[index * sections.chainage.length + probe] };
+}
+
+/** The probe whose foot becomes warmest: the lowest cells in the middle. */
+export function hottestProbe(sections) {
+  const lowest = Math.max(...sections.z);
+  const foot = [...sections.y.keys()].filter((cell) => sections.z[cell] === lowest && Math.abs(sections.y[cell]) <= sections.width);
+  const rises = [...sections.chainage].map((_, probe) =>
+    largest(...[...sections.time].map((time) => foot.map((cell) => Math.max(0, sectionAt(sections, probe, time).rises[cell])))));
+  return rises.indexOf(Math.max(...rises));
 }
 
 /** The times that the slider can take: those of the train, then those of fields after its run, s. */
@@ -80,8 +106,12 @@ export function snapshot(field, time) {
 
 /** The actual time of the field that is shown for `time`, in words. */
 export function actualTime(field, time) {
-  const { time: actual } = snapshot(field, time);
-  const words = `field of ${Number(actual.toFixed(3))} s`;
+  return timeInWords("field", snapshot(field, time).time, time);
+}
+
+/** What is shown for `time`, with its actual time in words. */
+export function timeInWords(what, actual, time) {
+  const words = `${what} of ${Number(actual.toFixed(3))} s`;
   return Math.abs(actual - time) < 1e-3 ? words : `${words}, the nearest that is stored`;
 }
 
@@ -108,9 +138,13 @@ export function leftOut(run) {
   every(run.driver.every, "train and recorded vehicles, with the extremes between them");
   every(run.all.every, "the whole train");
   every(run.wheelEvery, "the wheels");
+  if (run.wheelsLeftOut) said.push(`none of the last ${run.wheelsLeftOut} recorded wheels`);
+  every(run.outputs.every, "the further outputs, with the extremes between them");
+  if (run.outputs.leftOut) said.push(`none of ${run.outputs.leftOut} further outputs`);
   for (const { side, field } of run.rails) {
     if (!field) continue;
     every(field.every, `the field of the ${side} rail, and those that the scenario asks for`);
+    if (field.sections && field.sections.time.length < field.time.length) said.push(`sections of the ${side} rail at ${field.sections.time.length} times`);
     if (field.elements > 1) said.push(`of ${field.elements} elements of the ${side} rail the rise farthest from zero`);
   }
   return said.length ? `To stay small the page holds ${said.join("; ")}. The results folder has all.` : "";

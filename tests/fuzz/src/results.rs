@@ -1,6 +1,6 @@
 //! The results of a run: manifest, tables and their parts, the field of a rail.
 
-use field::{Axes, FieldReader, FieldWriter};
+use field::{Axes, FieldReader, FieldWriter, Sections};
 use hotfoot::recording::{self, KeyValue, SeriesReader, TRAIN_TABLE};
 use hotfoot::run::expected;
 use hotfoot::run::folder::complete::is_complete;
@@ -71,13 +71,19 @@ pub fn field_axis(bytes: &[u8]) {
 fn field(name: &str, bytes: &[u8]) {
     let scratch = Scratch::new();
     let path = scratch.path("field.zarr");
-    let axes = Axes { chainage: vec![0.5, 1.5], depth: vec![0.001, 0.003] };
+    let (y, z, area) = (vec![0.0], vec![0.001], vec![1e-5]);
+    let sections = Some(Sections { chainage: vec![0.5], y, z, area });
+    let axes = Axes { chainage: vec![0.5, 1.5], depth: vec![0.001, 0.003], sections };
     let mut writer = FieldWriter::create(&path, &axes, &[]).expect("a field can be written");
     for time in [0.0, 1.0] {
-        writer.append(time, &[0.0, 1.0, 2.0, 3.0]).expect("a snapshot can be written");
+        writer.append(time, &[0.0, 1.0, 2.0, 3.0], &[0.5]).expect("a snapshot can be written");
     }
     scratch.write(&format!("field.zarr/{name}"), bytes);
-    let read = || FieldReader::open(&path).map(|reader| reader.at_time(0.6));
+    let read = || {
+        let reader = FieldReader::open(&path)?;
+        reader.at_time(0.6)?;
+        reader.sections_at_time(0.6)
+    };
     let _ = read();
     let _ = field::complete(&path);
     let _ = read();

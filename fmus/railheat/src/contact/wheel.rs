@@ -15,7 +15,7 @@ pub struct Wheel {
     pub contact: Contact,
     /// Friction power of the contact, W.
     pub friction_power: f64,
-    /// Lateral position of the contact on the head, to the right of its middle, m.
+    /// Lateral position of the contact on the head, from its middle to the field side, m.
     pub lateral_position: f64,
     /// Heat of the tread brake into the wheel, W.
     pub brake_power: f64,

@@ -97,6 +97,7 @@ impl EnergyModel {
             zones,
             zone_of,
             along: parameters.conducts_along.then(|| Along::new(line.elements)),
+            sections: None,
             crown,
             bending,
             followers,
@@ -110,6 +111,7 @@ impl EnergyModel {
             state: initial,
             untouched,
             readings,
+            cells,
             modes,
             parameters,
         };
@@ -184,6 +186,7 @@ impl State {
         let untouched = untouched::State { amplitudes: vec![0.0; untouched], weather: 0.0 };
         Self {
             elements: Elements::new(parameters.line.elements, kept, readings),
+            places: vec![],
             untouched: vec![untouched; zones],
             conducted: start_time,
             positions: vec![None; wheels],

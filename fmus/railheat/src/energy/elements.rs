@@ -36,7 +36,7 @@ pub struct Deposit {
 /// The band of the head that a contact covers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// To the right of the rail's middle, m.
+    /// From the rail's middle to the field side, m.
     pub lateral: f64,
     /// Half its width, m.
     pub half_width: f64,
@@ -151,6 +151,18 @@ impl Elements {
         sources.friction += left.friction / length;
         sources.chill += left.chill / length;
         sources.bending += left.bending / length;
+    }
+
+    /// Takes what elements of the rail, from `first` on, are about to get; `is_right` says whether
+    /// their contacts lie to the right where they say to the field side.
+    pub(super) fn take_deposits(&mut self, rail: &Self, first: usize, is_right: bool) {
+        let side = if is_right { 1.0 } else { -1.0 };
+        for (element, (own, touched)) in self.deposits.iter_mut().zip(&mut self.touched).enumerate()
+        {
+            let deposit = rail.deposits[first + element];
+            *own = Deposit { lateral: side * deposit.lateral, ..deposit };
+            *touched |= rail.touched[first + element];
+        }
     }
 
     /// An element lies under a vehicle, or several, for all of a time in s.

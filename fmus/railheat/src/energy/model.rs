@@ -21,11 +21,12 @@ use super::elements::{Elements, Section};
 use super::followers::Followers;
 use super::ledger::{Ledger, Sources};
 use super::parameters::Parameters;
+use super::places::{Place, Sections};
 use super::untouched::{self, Untouched};
 use super::zones::Zone;
 use crate::contact::Wheel;
 use crate::line::Highest;
-use crate::section::{Crown, Modes, Propagator, Readings};
+use crate::section::{Cells, Crown, Modes, Propagator, Readings};
 use crate::weather::Weather;
 
 /// Slack in comparing times, s: steps are sums of rounded numbers.
@@ -38,6 +39,8 @@ pub const LONGEST_IDLE: f64 = 60.0;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
     pub(super) elements: Elements,
+    /// Where the rise of the whole section is kept.
+    pub(super) places: Vec<Place>,
     /// Untouched rail in each direction of the track.
     pub(super) untouched: Vec<untouched::State>,
     /// Until when heat has been conducted, s.
@@ -56,6 +59,7 @@ pub struct State {
 /// The model of one rail.
 pub struct EnergyModel {
     pub(super) parameters: Parameters,
+    pub(super) cells: Cells,
     pub(super) modes: Modes,
     pub(super) crown: Crown,
     pub(super) readings: Readings,
@@ -72,6 +76,8 @@ pub struct EnergyModel {
     pub(super) zone_of: Vec<u8>,
     /// Conduction along the track, if wanted.
     pub(super) along: Option<Along>,
+    /// What is needed where the rise of the whole section is kept.
+    pub(super) sections: Option<Sections>,
     /// Wheels of each vehicle.
     pub(super) vehicles: Vec<Range<usize>>,
     /// Excess of the crown of each element when heat was conducted last, K.
@@ -200,6 +206,7 @@ impl EnergyModel {
             self.untouched.step(state, initial, &self.modes, &weather, absorbed, time);
         }
         self.update_extra(wheels, &weather);
+        self.step_sections(time);
         // Half before and half after, so that heat which comes in meanwhile flows half the time.
         self.conduct_along(0.5 * time);
         let elements = &mut self.state.elements;

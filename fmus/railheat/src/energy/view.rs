@@ -7,7 +7,7 @@ use super::parameters::Parameters;
 use super::untouched;
 use super::zones::Zone;
 use crate::contact::Wheel;
-use crate::heat_model::HeatModel;
+use crate::heat_model::{HeatModel, Places};
 use crate::line::{Highest, Line, Stray};
 use crate::section::{Modes, dot};
 use crate::weather::Weather;
@@ -144,6 +144,14 @@ impl HeatModel for EnergyModel {
                 *value = (rise + state.elements.read(element, readings, levels + row)) as f32;
             }
         }
+    }
+
+    fn places(&self) -> Option<Places<'_>> {
+        self.kept_places()
+    }
+
+    fn sections(&self, values: &mut [f32]) {
+        values.iter_mut().zip(self.section_rises()).for_each(|(value, rise)| *value = rise as f32);
     }
 
     fn rise(&self, element: usize, level: usize) -> f64 {

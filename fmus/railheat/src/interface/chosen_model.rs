@@ -26,6 +26,13 @@ pub enum State {
 }
 
 impl ChosenModel {
+    /// Keeps the rise of the whole section at some elements, if the model has a section.
+    pub fn keep_sections(&mut self, elements: &[usize], field_side_is_right: bool) {
+        if let Self::Energy(model) = self {
+            model.keep_sections(elements, field_side_is_right);
+        }
+    }
+
     /// All that changes, for saving.
     pub fn state(&self) -> State {
         match self {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use field::{Attribute, Axes, FieldError, FieldWriter, is_rail_field};
+use field::{Attribute, Axes, FieldError, FieldWriter, Sections, is_rail_field};
 use serde::{Deserialize, Serialize};
 
 use crate::heat_model::HeatModel;
@@ -24,6 +24,7 @@ pub(crate) struct FieldFile {
     /// None until something is written.
     writer: Option<FieldWriter>,
     values: Vec<f32>,
+    sections: Vec<f32>,
 }
 
 /// How far the field has been written.
@@ -44,7 +45,9 @@ impl FieldFile {
         start_time: f64,
         model: &dyn HeatModel,
     ) -> (Self, Result<(), FieldError>) {
+        let of_sections = model.places().map_or(0, |p| p.chainages.len() * p.cells.len());
         let mut file = Self {
+            sections: vec![0.0; of_sections],
             path: path.to_owned(),
             interval,
             start_time,
@@ -94,6 +97,7 @@ impl FieldFile {
             return Ok(());
         }
         model.snapshot(&mut self.values);
+        model.sections(&mut self.sections);
         let writer = match &mut self.writer {
             Some(writer) => writer,
             none => none.insert(match self.written.snapshots {
@@ -101,7 +105,7 @@ impl FieldFile {
                 snapshots => FieldWriter::resume(&self.path, snapshots)?,
             }),
         };
-        writer.append(time, &self.values)?;
+        writer.append(time, &self.values, &self.sections)?;
         self.written.snapshots += 1;
         self.written.next = passed as u64 + 1;
         Ok(())
@@ -111,16 +115,28 @@ impl FieldFile {
 /// Begins the store.
 fn begin(path: &Path, model: &dyn HeatModel) -> Result<FieldWriter, FieldError> {
     let line = model.line();
+    let places = model.places();
     let axes = Axes {
+        sections: places.as_ref().map(|places| Sections {
+            chainage: places.chainages.clone(),
+            y: places.cells.iter().map(|cell| cell.middle.y).collect(),
+            z: places.cells.iter().map(|cell| cell.middle.z).collect(),
+            area: places.cells.iter().map(|cell| cell.area).collect(),
+        }),
         chainage: (0..line.elements).map(|element| line.chainage(element)).collect(),
         depth: model.depths(),
     };
-    let attributes = [
+    let mut attributes = vec![
         ("title", Attribute::from("Temperature rise of a rail under a train")),
         ("model", Attribute::from(model.name())),
         ("initial_temperature_K", Attribute::from(model.initial_temperature())),
         ("element_length_m", Attribute::from(line.element_length)),
         ("cell_size_m", Attribute::from(2.0 * axes.depth[0])),
     ];
+    if let Some(places) = &places {
+        let field_side = if places.field_side_is_right { "right" } else { "left" };
+        attributes.push(("section_cell_width_m", Attribute::from(places.cell_width)));
+        attributes.push(("field_side", Attribute::from(field_side)));
+    }
     FieldWriter::create(path, &axes, &attributes)
 }

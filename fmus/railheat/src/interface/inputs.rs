@@ -25,7 +25,7 @@ fmu::variables! {
         b: "contact.b", METRE = 0.0;
         /// Friction power of the contact, longitudinal, lateral and spin; used by model energy
         friction_power: "friction_power", WATT = 0.0;
-        /// Place of the contact on the rail head, to the right; used by model energy
+        /// Place of the contact on the rail head, to the field side; used by model energy
         lateral_position: "contact.lateral_position", METRE = 0.0;
         /// Tread brake heat into the wheel; used by model energy
         brake_power: "brake_power", WATT = 0.0;

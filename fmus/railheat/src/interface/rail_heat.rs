@@ -134,6 +134,8 @@ impl RailHeat {
         if path.is_empty() {
             return Ok(());
         }
+        let is_right = values[signals.site.rail] > 0.0;
+        self.model.keep_sections(&self.probes, is_right);
         let interval = values[signals.common.field_interval];
         let (field, begun) = FieldFile::new(Path::new(path), interval, start_time, &*self.model);
         self.field = Some(field);

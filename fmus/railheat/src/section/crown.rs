@@ -19,7 +19,7 @@ use super::running_surface::running_surface;
 pub struct Crown {
     /// Ends of the strips, m; one more than strips.
     ends: Vec<f64>,
-    /// Strip after strip the even modes of its cell.
+    /// Strip after strip the modes of its cell.
     shapes: Vec<f64>,
     width: usize,
 }
@@ -29,7 +29,7 @@ impl Crown {
     pub fn new(cells: &Cells, modes: &Modes) -> Self {
         let mut facets = running_surface(&cells.facets);
         facets.sort_by(|a, b| a.middle().y.total_cmp(&b.middle().y));
-        let mut crown = Self { ends: vec![], shapes: vec![], width: modes.even_width() };
+        let mut crown = Self { ends: vec![], shapes: vec![], width: modes.width() };
         let mut last = usize::MAX;
         for facet in facets {
             let [a, b] = facet.ends.map(|end| end.y);
@@ -39,7 +39,7 @@ impl Crown {
                 if crown.ends.is_empty() {
                     crown.ends.push(a.min(b));
                 }
-                crown.shapes.extend_from_slice(&modes.at(facet.cell)[..crown.width]);
+                crown.shapes.extend_from_slice(modes.at(facet.cell));
                 last = facet.cell;
             }
             crown.ends.push(a.max(b));
@@ -52,7 +52,7 @@ impl Crown {
         self.ends.len() - 1
     }
 
-    /// The even modes of a strip's cell.
+    /// The modes of a strip's cell.
     pub fn shape(&self, strip: usize) -> &[f64] {
         &self.shapes[strip * self.width..][..self.width]
     }

@@ -89,3 +89,37 @@ fn property_a_restored_run_gives_the_same_and_appends_later() {
     bench.steps(50, 65);
     assert_eq!(FieldReader::open(&path).unwrap().times().len(), 4);
 }
+
+/// With the energy model the field has the section at each probe, and it goes on with a restored run.
+#[test]
+fn property_the_field_has_the_sections_of_the_probes() {
+    let mut bench = Bench::new();
+    let path = bench.folder.path().join("rail.zarr");
+    bench.set_texts(&[("field_file", path.to_str().unwrap())]);
+    bench.set("field_interval", 1.0);
+    bench.set("section.cell_size", 0.012);
+    bench.start().unwrap();
+    for wheel in ["vehicle[1].wheelset[1]", "vehicle[1].wheelset[2]", "vehicle[2].wheelset[1]"] {
+        bench.set(&format!("{wheel}.friction_power"), 1667.0);
+        bench.set(&format!("{wheel}.contact.lateral_position"), 0.01);
+    }
+    bench.steps(0, 150);
+    let bytes = bench.instance.save().unwrap().to_bytes();
+    bench.steps(150, 210);
+    let reader = || FieldReader::open(&path).unwrap();
+    let sections = reader().axes().sections.clone().expect("the plane section is kept");
+    assert!((sections.chainage[0] - 30.05).abs() < 1e-9);
+    let found = reader().sections_at_time(2.0).unwrap();
+    assert_eq!(found.len(), sections.values());
+    let heat = |side: f64| -> f64 {
+        let cells = sections.y.iter().zip(&sections.area).zip(&found);
+        let of_side = cells.filter(|((y, _), _)| side * **y > 1e-3);
+        of_side.map(|((_, area), rise)| area * f64::from(*rise)).sum()
+    };
+    assert!(heat(-1.0) > 1.2 * heat(1.0), "on the left rail the field side is the left one");
+    let state = bench.instance.deserialize_state(&bytes).unwrap();
+    bench.instance.restore(&state).unwrap();
+    bench.steps(150, 210);
+    assert_eq!(reader().sections_at_time(2.0).unwrap(), found);
+    assert_eq!(reader().times().len(), 3);
+}

@@ -25,6 +25,7 @@ mod flash;
 mod paper;
 mod resolution;
 mod section;
+mod sections;
 mod site;
 mod staircase;
 mod weather;

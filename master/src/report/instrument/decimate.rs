@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+/// Records of which a curve is made at least.
+pub(super) const FEWEST: usize = 40;
+
 /// Some records of many: the first, every so many after it, and the last.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Picks {
@@ -22,9 +25,21 @@ impl Picks {
         Self { every, records }
     }
 
-    /// So many records at most that `columns` numbers of each fit into `budget` numbers, but at least 40.
+    /// So many records at most that `columns` numbers of each fit into `budget` numbers, but [`FEWEST`].
     pub fn within(budget: usize, columns: usize, count: usize) -> Self {
-        Self::of(count, (budget / columns.max(1)).clamp(40, 800))
+        Self::of(count, (budget / columns.max(1)).clamp(FEWEST, 800))
+    }
+
+    /// The same with the records nearest to wanted times, of records at `times`.
+    pub fn with_nearest(mut self, times: &[f64], wanted: &[f64]) -> Self {
+        let nearest = |&wanted: &f64| {
+            let distance = |index: &usize| (times[*index] - wanted).abs();
+            (0..times.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        };
+        self.records.extend(wanted.iter().filter_map(nearest));
+        self.records.sort_unstable();
+        self.records.dedup();
+        self
     }
 
     /// The values of the records that are shown.

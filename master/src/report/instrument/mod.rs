@@ -8,15 +8,19 @@
 //! | `train.rs` | the train, its vehicles and its driver |
 //! | `couplings.rs` | power that is lost or made where train and vehicle are coupled |
 //! | `wheels.rs` | the recorded wheels |
+//! | `outputs.rs` | further outputs of the recorded vehicles |
 //! | `rail.rs` | temperature field and foot of a rail |
+//! | `sections.rs` | the whole section of a rail at its probes |
 //!
 //! Everything is in SI units; the page chooses the units that people read.
 
 mod couplings;
 mod decimate;
+mod outputs;
 mod packed;
 mod quantities;
 mod rail;
+mod sections;
 mod train;
 mod wheels;
 
@@ -26,6 +30,7 @@ mod tests;
 use std::path::Path;
 
 use serde::Serialize;
+use track::SpeedLimit;
 
 use super::data::RailData;
 use super::error::ReportError;
@@ -53,6 +58,12 @@ pub(super) struct Instrument {
     train: train::Train,
     /// The recorded wheels.
     wheels: wheels::Wheels,
+    /// Further outputs of the recorded vehicles.
+    outputs: outputs::Outputs,
+    /// Speed limits of the track.
+    speed_limits: Vec<SpeedLimit>,
+    /// Root mean square of the speed less that of a logger, m/s; none without a logger.
+    speed_rms: Option<f64>,
     /// The heated rails.
     rails: Vec<rail::Rail>,
     /// Powers that are lost at the couplings of train and vehicles.
@@ -105,6 +116,9 @@ impl Instrument {
             wanted_times: facts.heat_maps_at_s.clone(),
             track: Track::of(&facts.track),
             wheels: wheels::Wheels::of(folder, facts)?,
+            outputs: outputs::Outputs::of(results.outputs.as_ref())?,
+            speed_limits: facts.track.speed_limit.clone(),
+            speed_rms: results.speed_rms()?,
             train,
             rails: of_rails,
             residual,

@@ -8,16 +8,17 @@ use serde::Serialize;
 
 use super::decimate::Picks;
 use super::packed::{Packed, PackedRows};
+use super::sections::Sections;
 use crate::report::data::{Foot, RailData};
 
 /// Columns of the field along the track, at most.
-const MOST_COLUMNS: usize = 200;
+const MOST_COLUMNS: usize = 160;
 
 /// Rises that are no more than this are none, K.
 const SMALL: f32 = 1e-6;
 
 /// Numbers that the fields of all rails may take.
-const BUDGET: usize = 300_000;
+const BUDGET: usize = 200_000;
 
 /// A heated rail.
 #[derive(Debug, Clone, Serialize)]
@@ -55,6 +56,8 @@ pub(super) struct Field {
     depth: Packed,
     /// Rise above the initial state, K: a row for each time and depth, with its columns.
     rise: PackedRows,
+    /// The whole section at the probes, where it was kept.
+    sections: Option<Sections>,
 }
 
 impl Rail {
@@ -84,15 +87,9 @@ impl Field {
         }
         let depths = axes.depth.len().max(1);
         let columns = axes.chainage.len().min(MOST_COLUMNS);
-        let most = (BUDGET / (columns * depths * rails.max(1))).clamp(4, 200);
-        let mut picks = Picks::of(times.len(), most);
-        let nearest = |&wanted: &f64| {
-            let distance = |index: &usize| (times[*index] - wanted).abs();
-            (0..times.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
-        };
-        picks.records.extend(wanted.iter().filter_map(nearest));
-        picks.records.sort_unstable();
-        picks.records.dedup();
+        let most = BUDGET / (columns * depths * rails.max(1));
+        let most = most.saturating_sub(wanted.len()).clamp(4, 200);
+        let picks = Picks::of(times.len(), most).with_nearest(times, wanted);
         let mut changed = axes.chainage.len()..0;
         for time in picks.values(times) {
             let of_one = changed_elements(&reader.at_time(time)?.rise, depths);
@@ -114,6 +111,7 @@ impl Field {
             chainage: Packed::of(axes.chainage[shown].chunks(elements).map(middle)),
             depth: Packed::of(axes.depth.iter().copied()),
             rise: PackedRows::of(rows),
+            sections: Sections::read(&reader, wanted, rails)?,
         }))
     }
 }

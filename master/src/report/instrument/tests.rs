@@ -74,6 +74,21 @@ fn analytic_the_field_is_that_of_its_store() {
     assert!((f64::from(rise) - 2.0 * (-0.2_f64).exp()).abs() < 1e-4, "{rise}");
 }
 
+/// At 20 s the cells of the first probe have 0, 1, 2 K and those of the second 3, 4, 5 K.
+#[test]
+fn analytic_the_sections_are_those_of_the_store() {
+    let run = instrument(&facts());
+    let sections = &run["rails"][0]["field"]["sections"];
+    assert_eq!(floats(&sections["time"]), [10.0, 20.0]);
+    assert_eq!(floats(&sections["chainage"]), [100.5, 120.5]);
+    let size = sections["size"].as_array().unwrap();
+    assert!(size.iter().all(|size| (size.as_f64().unwrap() - 4e-3).abs() < 1e-9), "{size:?}");
+    let steps = STANDARD.decode(sections["rise"]["steps"].as_str().unwrap()).unwrap();
+    let last = i16::from_le_bytes([steps[22], steps[23]]);
+    let rise = f32::from(last) * floats(&sections["rise"]["step"])[3];
+    assert!((rise - 5.0).abs() < 1e-3, "{rise}");
+}
+
 /// What was run without rails or vehicles in three dimensions has neither, and a page cannot be ended by a text.
 #[test]
 fn what_a_run_has_not_is_left_out() {

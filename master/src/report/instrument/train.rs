@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::couplings::{Exchanged, Residual};
-use super::decimate::Picks;
+use super::decimate::{FEWEST, Picks};
 use super::packed::Packed;
 use super::quantities::{Quantities, Quantity};
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
@@ -39,7 +39,7 @@ const OF_ALL: [&str; 4] = ["position", "coupler_rear_force", "creep_force", "fri
 const RESIDUAL: (&str, &str) = ("coupling_residual", "W");
 
 /// Numbers that the instants of all vehicles may take, and those of the recorded ones.
-const BUDGETS: [usize; 2] = [65_000, 40_000];
+const BUDGETS: [usize; 2] = [50_000, 40_000];
 
 /// The train.
 #[derive(Debug, Clone, Serialize)]
@@ -80,7 +80,9 @@ impl Train {
             true => vec![],
             false => vehicles.residuals()?,
         };
-        let numbers = recorded_numbers(facts);
+        let mut numbers = recorded_numbers(facts);
+        // The others have what all vehicles have.
+        numbers.truncate(BUDGETS[1] / (3 * (OF_VEHICLE.len() + 1) * FEWEST));
         let columns = OF_TRAIN.len() + 3 * (OF_VEHICLE.len() + 1) * numbers.len();
         let picks = Picks::within(BUDGETS[1], columns, time.len());
         let mut recorded = vec![];

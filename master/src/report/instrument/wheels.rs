@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::decimate::Picks;
+use super::decimate::{FEWEST, Picks};
 use super::packed::Packed;
 use super::quantities::Quantity;
 use super::train::recorded_numbers;
@@ -24,7 +24,7 @@ const OF_WHEEL: [(&str, &str, bool); 5] = [
 const FRICTION_POWER: &str = "friction_power";
 
 /// Numbers that all wheels together may take.
-const BUDGET: usize = 55_000;
+const BUDGET: usize = 40_000;
 
 /// Below this speed heat per metre says nothing, m/s.
 const SLOW: f64 = 0.1;
@@ -37,6 +37,8 @@ pub(super) struct Wheels {
     /// Times of the shown records, s.
     time: Packed,
     wheels: Vec<Wheel>,
+    /// Recorded wheels that have no room.
+    left_out: usize,
 }
 
 /// A wheel.
@@ -71,7 +73,11 @@ impl Wheels {
         }
         let Some(&(vehicle, wheelset, side)) = wheels.first() else { return Ok(Self::default()) };
         let time = table.read("time", &keys(vehicle, wheelset, side))?;
-        let columns = wheels.len() * (OF_WHEEL.len() + 4);
+        // Those of the table, the extremes, the wear number and the position.
+        let each = OF_WHEEL.len() + 4;
+        let left_out = wheels.len().saturating_sub(BUDGET / (each * FEWEST));
+        wheels.truncate(wheels.len() - left_out);
+        let columns = wheels.len() * each;
         let picks = Picks::within(BUDGET, columns, time.len());
         let vehicles = SeriesReader::open(&series, "vehicles")?;
         let wheel =
@@ -80,6 +86,7 @@ impl Wheels {
             every: picks.every,
             time: Packed::of(picks.values(&time)),
             wheels: wheels.iter().map(wheel).collect::<Result<_, _>>()?,
+            left_out,
         })
     }
 }

@@ -1,0 +1,82 @@
+//! The section of a rail at its probes.
+
+use field::{FieldError, FieldReader};
+use serde::Serialize;
+
+use super::decimate::Picks;
+use super::packed::{Packed, PackedRows};
+
+/// Numbers that the sections of all rails may take.
+const BUDGET: usize = 45_000;
+
+/// Middles that differ by no more than this are the same, m.
+const SAME: f64 = 1e-9;
+
+/// The sections of a rail at some times.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Sections {
+    /// Times of the snapshots that are shown, s.
+    time: Packed,
+    /// Chainage of each probe, m.
+    chainage: Packed,
+    /// Middle of each cell, to the right of the rail's middle, m.
+    y: Packed,
+    /// Middle of each cell, below the running surface, m.
+    z: Packed,
+    /// Width and height of the cells, m.
+    size: [f64; 2],
+    /// Rise above the initial state, K: a row for each time and probe, with its cells.
+    rise: PackedRows,
+}
+
+impl Sections {
+    /// Reads the sections of one of so many rails, those nearest to the wanted times among them;
+    /// `None` where none were kept.
+    pub fn read(
+        reader: &FieldReader,
+        wanted: &[f64],
+        rails: usize,
+    ) -> Result<Option<Self>, FieldError> {
+        let (Some(sections), times) = (&reader.axes().sections, reader.times()) else {
+            return Ok(None);
+        };
+        let most = BUDGET / (sections.values() * rails.max(1)).max(1);
+        let most = most.saturating_sub(wanted.len()).clamp(2, 200);
+        let picks = Picks::of(times.len(), most).with_nearest(times, wanted);
+        let mut rows = vec![];
+        for time in picks.values(times) {
+            let rises: Vec<f64> =
+                reader.sections_at_time(time)?.into_iter().map(f64::from).collect();
+            rows.extend(rises.chunks(sections.y.len().max(1)).map(<[f64]>::to_vec));
+        }
+        let packed = |values: &[f64]| Packed::of(values.iter().copied());
+        Ok(Some(Self {
+            time: Packed::of(picks.values(times)),
+            chainage: packed(&sections.chainage),
+            y: packed(&sections.y),
+            z: packed(&sections.z),
+            size: [spacing(&sections.y), spacing(&sections.z)],
+            rise: PackedRows::of(rows),
+        }))
+    }
+}
+
+/// The least distance between middles of cells that differ; zero if all are the same.
+fn spacing(middles: &[f64]) -> f64 {
+    let mut sorted = middles.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let distances = sorted.windows(2).map(|pair| pair[1] - pair[0]);
+    let least = distances.filter(|distance| *distance > SAME).fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spacing;
+
+    #[test]
+    fn cells_are_as_wide_as_their_middles_are_apart() {
+        assert!((spacing(&[0.002, -0.002, 0.006, 0.002, -0.006]) - 0.004).abs() < 1e-15);
+        assert_eq!(spacing(&[0.002]), 0.0);
+    }
+}
