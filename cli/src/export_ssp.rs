@@ -7,14 +7,15 @@ use clap::Args;
 use hotfoot::run::{Exported, export, workplace};
 
 use crate::output::print;
-use crate::run::default_fmus;
+use crate::run::{default_fmus, scenario_path};
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
 /// Arguments of `hotfoot export-ssp`.
 #[derive(Args)]
 pub struct ExportArguments {
-    /// Scenario: its folder or file
+    /// Scenario: its folder or file, or the name of a shipped one
+    #[arg(value_parser = scenario_path())]
     scenario: PathBuf,
     /// Package to write; left out: named as the scenario's folder, in the current folder
     #[arg(long, short)]

@@ -7,14 +7,16 @@ use clap::Args;
 use hotfoot::run::wiring;
 
 use crate::output::write;
-use crate::run::default_fmus;
+use crate::run::{default_fmus, scenario_path};
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
 /// Arguments of `hotfoot wiring`.
 #[derive(Args)]
 pub struct WiringArguments {
-    /// Scenario: its folder or file; or an SSP package (.ssp, its folder, or .ssd), or one .fmu
+    /// Scenario: its folder or file, or the name of a shipped one; or an SSP package (.ssp, its folder, or .ssd), or
+    /// one .fmu
+    #[arg(value_parser = scenario_path())]
     scenario: PathBuf,
     /// Print a graph for Graphviz, as for `dot -Tsvg`
     #[arg(long)]

@@ -101,7 +101,8 @@ impl FieldWriter {
     /// Makes visible what is on disk.
     fn show(&self) -> Result<(), FieldError> {
         layout::write_metadata(&self.path, &self.time)?;
-        layout::write_metadata(&self.path, &self.temperature_rise)
+        layout::write_metadata(&self.path, &self.temperature_rise)?;
+        layout::consolidate(&self.path)
     }
 
     /// Appends the snapshot at `time` in s: the rise in K, the depths of the first element first.
