@@ -9,6 +9,7 @@ import numpy
 import pandas
 import pytest
 import xarray
+import zarr  # noqa: F401  (its first import warns of its own libraries)
 from conftest import HOTFOOT, ROOT, five_vehicles, hotfoot as command
 
 import hotfoot

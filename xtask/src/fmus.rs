@@ -69,11 +69,8 @@ fn beside(name: &str) -> Result<()> {
 pub fn pack(binaries: &Path, folder: &Path) -> Result<()> {
     std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
     for (model, theory) in MODELS {
-        let library = format!(
-            "{}{model}_fmu{}",
-            std::env::consts::DLL_PREFIX,
-            std::env::consts::DLL_SUFFIX
-        );
+        let library =
+            format!("{}{model}_fmu{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
         let mut pack = Command::new(binaries.join("hotfoot"));
         pack.arg("pack").arg(binaries.join(library));
         let resources = Path::new("fmus").join(model).join("resources");

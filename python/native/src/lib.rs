@@ -13,8 +13,8 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, TryLockError};
 
 use files::Setting;
-use hotfoot::run::open_system::{OpenSystem, OpenSystemError};
 use hotfoot::run::Options;
+use hotfoot::run::open_system::{OpenSystem, OpenSystemError};
 use hotfoot::scenario::Times;
 use hotfoot::{Substitute, Substitutes, shipped};
 use model::{Model, Raised};

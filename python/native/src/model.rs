@@ -75,7 +75,7 @@ impl Model {
             )));
         };
         for (name, value) in answer {
-            let name = name.cast::<PyString>()?.to_str()?.to_owned();
+            let name: String = name.extract()?;
             let Some(&place) = self.outputs.get(&name) else {
                 let meant = did_you_mean(&name, self.outputs.keys().map(String::as_str));
                 return Err(PyValueError::new_err(format!(
