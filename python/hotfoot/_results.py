@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import tomllib
 from functools import cached_property
@@ -11,7 +12,6 @@ from typing import Any
 import pandas
 import pyarrow.parquet
 import xarray
-
 
 
 def open(folder: str | os.PathLike[str]) -> Results:
@@ -142,7 +142,10 @@ class Results:
         if name not in names:
             there = f"there are {', '.join(names)}" if names else "the run has written none"
             raise KeyError(f"name the field: {there}" if name is None else f"no field {name!r}: {there}")
-        return xarray.open_zarr(self.folder / f"{name}.zarr", decode_timedelta=False, chunks=None)
+        store = self.folder / f"{name}.zarr"
+        # Those of older runs have no copy of the arrays' metadata, of which xarray would warn.
+        consolidated = "consolidated_metadata" in json.loads((store / "zarr.json").read_text())
+        return xarray.open_zarr(store, consolidated=consolidated, decode_timedelta=False, chunks=None)
 
     @cached_property
     def figures(self) -> pandas.DataFrame:

@@ -125,10 +125,10 @@ def test_results_of_an_interrupted_run_open(tmp_path):
 
 def test_results_of_a_package_open(tmp_path):
     package = tmp_path / "train.ssp"
-    command("export-ssp", five_vehicles(tmp_path), package)
+    command("export-ssp", five_vehicles(tmp_path, [("count = 4", "count = 1")]), "--output", package)
     results = hotfoot.run(package, results=tmp_path / "results", options=["--duration", "0.05"])
     assert results.scenario is None
-    assert "vehicle_3" in results.tables
+    assert "vehicle_2" in results.tables
     assert results.table("train").attrs["units"]["vehicle[1].velocity"] == "m/s"
     assert results.simulated_s == pytest.approx(0.05)
 

@@ -97,7 +97,7 @@ def test_an_input_that_python_sets_is_in_force(scenario):
 
 def test_a_package_is_stepped_as_the_run_does(scenario, tmp_path):
     package = tmp_path / "train.ssp"
-    command("export-ssp", scenario, package)
+    command("export-ssp", scenario, "--output", package)
     options = ["--duration", "0.1", "--interval", "0.1"]
     results = hotfoot.run(package, results=tmp_path / "results", options=options)
     system = hotfoot.System(package, duration_s=0.1)
