@@ -9,7 +9,6 @@ import numpy
 import pandas
 import pytest
 import xarray
-import zarr  # noqa: F401  (its first import warns of its own libraries)
 from conftest import HOTFOOT, ROOT, five_vehicles, hotfoot as command
 
 import hotfoot
@@ -125,7 +124,7 @@ def test_results_of_an_interrupted_run_open(tmp_path):
 
 def test_results_of_a_package_open(tmp_path):
     package = tmp_path / "train.ssp"
-    command("export-ssp", five_vehicles(tmp_path, [("count = 4", "count = 1")]), "--output", package)
+    command("export-ssp", five_vehicles(tmp_path, [("count = 4", "count = 1")], ""), "--output", package)
     results = hotfoot.run(package, results=tmp_path / "results", options=["--duration", "0.05"])
     assert results.scenario is None
     assert "vehicle_2" in results.tables

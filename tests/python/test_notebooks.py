@@ -11,8 +11,6 @@ NOTEBOOKS = sorted((ROOT / "docs" / "notebooks").glob("*.ipynb"))
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
 def test_a_notebook_runs(notebook, tmp_path, monkeypatch):
     monkeypatch.setenv("PYTHONPATH", str(TARGET.absolute() / "package"))
-    # Zarr's own libraries warn of each other where an old one is installed too.
-    monkeypatch.setenv("PYTHONWARNINGS", "ignore:crc32c usage is deprecated:DeprecationWarning")
     monkeypatch.setenv("MPLBACKEND", "agg")
     content = nbformat.read(notebook, as_version=4)
     assert not any(cell.get("outputs") for cell in content.cells), "kept without outputs"
