@@ -309,6 +309,22 @@ fn a_new_scenario_runs() {
     assert!(!folder.path().join("x").exists());
 }
 
+/// A shipped scenario is known by its name, and one of the user's that names no stock gets the shipped one.
+#[test]
+fn what_is_shipped_is_found_beside_the_folder_of_the_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut own = SmallScenario::new(0.05);
+    own.text =
+        own.text.lines().filter(|line| !line.starts_with("stock")).collect::<Vec<_>>().join("\n");
+    let shipped = hotfoot(folder.path(), &["run", "train-alone", "--duration", "0.1", "--quiet"]);
+    for output in [shipped, own.run(&[])] {
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+    assert!(folder.path().join("results/train-alone/report.html").exists());
+    let neither = refusal(&hotfoot(folder.path(), &["run", "train-together"]));
+    assert_says(&neither, &["train-together", "there is no such file"]);
+}
+
 /// With the paper's model terminal and report say what not to read from its numbers.
 #[test]
 fn the_papers_model_is_named_as_such() {

@@ -3,12 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Error, Result, anyhow};
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use files::Setting;
 use hotfoot::run::folder::claim::Claim;
 use hotfoot::run::folder::complete::complete;
 use hotfoot::run::{self, Ended, Options, is_system};
 use hotfoot::scenario::Times;
+use hotfoot::shipped;
 use tools::number::{count, positive};
 
 use crate::check::scenario_files;
@@ -21,8 +23,9 @@ use crate::supervise::{self, Blame, End, exit_code};
 /// Arguments of `hotfoot run`.
 #[derive(Args)]
 pub struct RunArguments {
-    /// Scenario: its folder or file; or any FMUs: an SSP package (.ssp, its folder, or .ssd), or one .fmu
-    #[arg(required_unless_present = "resume")]
+    /// Scenario: its folder or file, or the name of a shipped one, such as first-look; or any FMUs: an SSP package
+    /// (.ssp, its folder, or .ssd), or one .fmu
+    #[arg(required_unless_present = "resume", value_parser = scenario_path())]
     scenario: Option<PathBuf>,
     /// Go on with the run in this folder of results from its last checkpoint, as it was ordered
     #[arg(
@@ -269,9 +272,12 @@ fn note_files(arguments: &RunArguments) -> Result<()> {
     Ok(())
 }
 
-/// `fmus` beside the folder of the program: `target/fmus` for `target/release/hotfoot`.
+/// The shipped FMUs: `target/fmus` for `target/release/hotfoot`.
 pub fn default_fmus() -> PathBuf {
-    let program = std::env::current_exe().unwrap_or_default();
-    let folder = program.parent().and_then(Path::parent).unwrap_or(Path::new("."));
-    folder.join("fmus")
+    shipped::folder("fmus")
+}
+
+/// Takes the path of a scenario, or the name of a shipped one.
+pub fn scenario_path() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().map(shipped::scenario)
 }

@@ -30,7 +30,7 @@ mod system;
 mod train;
 
 pub use files::printable::printable;
-pub use files::{archive, xml_text};
+pub use files::{archive, shipped, xml_text};
 pub use fmi::{FmuInstance, Import, Manner, UNLOADING, note_unloading, pack, unit, watched};
 #[cfg(target_os = "linux")]
 pub use fmi::{WAITING, serve};
@@ -39,6 +39,7 @@ pub use run::error::RunError;
 pub use run::{Finished, Options, run};
 pub use system::checks::Checks;
 pub use system::structure::{Home, Structure};
+pub use system::substitute::{Substitute, Substitutes, Variables};
 pub use system::unit::{Unit, UnitError};
 pub use train::fmus::Folders;
 pub use train::roles::{self, Role};

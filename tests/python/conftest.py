@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,9 @@ TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 MODELS = ("vehicle", "longitudinal", "railheat", "synchronisation")
 FMUS = {name: TARGET / "fmus" / f"{name}.fmu" for name in MODELS}
 HOTFOOT = TARGET / "release" / "hotfoot"
+
+# The package `hotfoot`, as `cargo xtask package` lays it out.
+sys.path.insert(0, str(TARGET / "package"))
 
 # The short train of the Rust tests and of these.
 FIVE_VEHICLES = ROOT / "tests" / "five-vehicles"

@@ -45,7 +45,7 @@ def test_results_of_a_killed_run_open_as_those_of_any_other(tmp_path, kill):
     assert len(set(ends.values())) == 1, ends
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        field = xarray.open_zarr(results / "rail.zarr", consolidated=False)
+        field = xarray.open_zarr(results / "rail.zarr")
     # The rail writes its field in the step that comes before the record.
     next_record = ends["train"] + INTERVAL + 1e-9
     assert field["time"].size == 0 or field["time"][-1] <= next_record

@@ -1,6 +1,7 @@
 //! Building and packing the FMUs.
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 
@@ -32,24 +33,46 @@ const MODELS: [(&str, &[&str]); 4] = [
 
 /// Builds the program and the FMUs' binaries in release, and packs the FMUs.
 pub fn build() -> Result<()> {
-    let packages = MODELS.iter().flat_map(|(model, _)| ["-p".to_owned(), format!("{model}-fmu")]);
+    let packages = packages().flat_map(|name| ["-p".to_owned(), name]);
     run(cargo().args(["build", "--release", "-p", "cli"]).args(packages))?;
-    pack()
+    pack_built()
 }
 
-/// Packs the FMUs from their binaries into `target/fmus`: those that have default resources, with
-/// them and the stock library.
-pub fn pack() -> Result<()> {
-    let folder = target().join("fmus");
-    std::fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
+/// Names of the packages whose libraries are the FMUs' binaries.
+pub fn packages() -> impl Iterator<Item = String> {
+    MODELS.iter().map(|(model, _)| format!("{model}-fmu"))
+}
+
+/// Packs the FMUs into `target/fmus`, with rolling stock and scenarios beside them, where the program
+/// looks for all three.
+pub fn pack_built() -> Result<()> {
+    for name in ["stock", "scenarios"] {
+        beside(name)?;
+    }
+    pack(&target().join("release"), &target().join("fmus"))
+}
+
+/// Lets a folder of the repository be found in `target` too.
+fn beside(name: &str) -> Result<()> {
+    let link = target().join(name);
+    if cfg!(unix) && !link.exists() {
+        let _ = std::fs::remove_file(&link);
+        #[cfg(unix)]
+        std::os::unix::fs::symlink(std::path::absolute(name)?, &link)
+            .with_context(|| link.display().to_string())?;
+    }
+    Ok(())
+}
+
+/// Packs the FMUs with the program and from the libraries in `binaries` into a folder: those that have
+/// default resources, with them and the stock library.
+pub fn pack(binaries: &Path, folder: &Path) -> Result<()> {
+    std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
     for (model, theory) in MODELS {
-        let library = format!(
-            "release/{}{model}_fmu{}",
-            std::env::consts::DLL_PREFIX,
-            std::env::consts::DLL_SUFFIX
-        );
-        let mut pack = hotfoot();
-        pack.arg("pack").arg(target().join(library));
+        let library =
+            format!("{}{model}_fmu{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+        let mut pack = Command::new(binaries.join("hotfoot"));
+        pack.arg("pack").arg(binaries.join(library));
         let resources = Path::new("fmus").join(model).join("resources");
         if resources.exists() {
             pack.arg("--resources").arg(resources).args(["--stock", "stock"]);
@@ -58,7 +81,7 @@ pub fn pack() -> Result<()> {
             pack.arg("--theory").arg(Path::new("docs/theory").join(text));
         }
         pack.arg("--reference").arg(format!("fmus/{model}/reference"));
-        run(pack.arg("--output").arg(fmu(model)))?;
+        run(pack.arg("--output").arg(folder.join(format!("{model}.fmu"))))?;
     }
     Ok(())
 }

@@ -6,14 +6,16 @@
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
 //! | `foot_study.rs` | the runs of the foot study, its table and expected figures |
 //! | `instructions.rs` | instructions of a vehicle's step, counted |
+//! | `package.rs` | the Python package and its wheel |
 //! | `test.rs` | the whole test run, and runs that are killed |
-//! | `python.rs` | the Python environment of the FMPy tests, which has libclang too |
+//! | `python.rs` | the Python environments: of the tests, which has libclang too, and of the wheel's tools |
 //! | `shell.rs` | running commands |
 
 mod book;
 mod fmus;
 mod foot_study;
 mod instructions;
+mod package;
 mod python;
 mod shell;
 mod test;
@@ -66,6 +68,12 @@ enum Task {
         #[arg(default_value_t = 100)]
         kills: u32,
     },
+    /// Lay the Python package out in target/package, where the tests find it
+    Package,
+    /// Build the wheel into target/wheel, for glibc 2.28 (some minutes)
+    Wheel,
+    /// Build the wheel and try it in an environment without Rust
+    WheelTest,
     /// The whole test run
     Test,
 }
@@ -106,6 +114,13 @@ fn main() -> Result<()> {
             Ok(())
         }
         Task::CrashTest { kills } => test::kill_runs(kills),
+        Task::Package => {
+            fmus::build()?;
+            shell::run(shell::cargo().args(["build", "--release", "-p", "hotfoot-python"]))?;
+            package::stage()
+        }
+        Task::Wheel => package::wheel().map(|_| ()),
+        Task::WheelTest => package::test_wheel(),
         Task::Test => test::run_all(),
     }
 }

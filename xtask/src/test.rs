@@ -7,7 +7,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, anyhow};
 
 use crate::shell::{cargo, output, run, target};
-use crate::{fmus, python};
+use crate::{fmus, package, python};
 
 /// Format, licences, FMUs and their model descriptions, lints, documentation, Rust tests, FMPy tests,
 /// the crate `fmi`.
@@ -17,7 +17,7 @@ pub fn run_all() -> Result<()> {
     // The Python packages, which are mostly waited for, come beside it.
     let python = stages.run("build", || {
         std::thread::scope(|scope| {
-            let python = scope.spawn(python::interpreter);
+            let python = scope.spawn(|| python::TESTS.interpreter());
             build()?;
             python.join().map_err(|_| anyhow!("making the Python environment panicked"))?
         })
@@ -27,7 +27,8 @@ pub fn run_all() -> Result<()> {
             .args(["check", "licenses", "bans", "sources"]))
     })?;
     stages.run("FMUs and their model descriptions", || {
-        fmus::pack()?;
+        fmus::pack_built()?;
+        package::stage()?;
         fmus::check_model_descriptions()
     })?;
     stages.run("lints", || {
@@ -58,7 +59,7 @@ pub fn kill_runs(kills: u32) -> Result<()> {
     let test = ["test", "--release", "-p", "hotfoot-tests", "--test", "system", "--"];
     let tests = ["kill_at_any_moment", "killed_at_any_moment", "--nocapture"];
     run(cargo().args(test).args(tests).env("HOTFOOT_KILLS", &kills))?;
-    let python = python::interpreter()?;
+    let python = python::TESTS.interpreter()?;
     run(Command::new(python)
         .args(["-m", "pytest", "-q", "tests/python/test_killed.py"])
         .env("HOTFOOT_KILLS", &kills))

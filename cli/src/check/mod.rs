@@ -22,15 +22,20 @@ use hotfoot::check::{self, Finding, Severity, rules};
 use hotfoot::roles;
 
 use crate::output::print;
-use crate::run::default_fmus;
+use crate::run::{default_fmus, scenario_path};
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
 /// Arguments of `hotfoot check`.
 #[derive(Args)]
 pub struct CheckArguments {
-    /// Scenario: its folder or file, which is checked up to the first step of its run; or an FMU
-    #[arg(value_name = "SCENARIO|FMU", required_unless_present = "rules")]
+    /// Scenario: its folder or file, or the name of a shipped one, which is checked up to the first step of its run; or
+    /// an FMU
+    #[arg(
+        value_name = "SCENARIO|FMU",
+        required_unless_present = "rules",
+        value_parser = scenario_path()
+    )]
     fmu: Option<PathBuf>,
     /// Also say whether the FMU can fill this role in the train, and what it lacks
     #[arg(long = "as", value_enum)]

@@ -4,18 +4,18 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::{Args, Subcommand};
+use hotfoot::shipped;
 use tools::rolling_stock::{Entry, entries, named};
 
 use crate::output::{print, print_json, print_table};
-use crate::scenario::new::default_stock;
 
 /// Arguments of `hotfoot stock`.
 #[derive(Args)]
 pub struct StockArguments {
     #[command(subcommand)]
     what: What,
-    /// Folder of the rolling-stock library; left out: `stock` here, else of the repository that the program was
-    /// built in
+    /// Folder of the rolling-stock library; left out: `stock` here, else `stock` beside the folder of the
+    /// program
     #[arg(long, global = true)]
     stock: Option<PathBuf>,
     /// Print JSON
@@ -46,7 +46,7 @@ enum What {
 pub fn stock(arguments: &StockArguments) -> Result<()> {
     let StockArguments { what, stock, json } = arguments;
     let here = PathBuf::from("stock");
-    let or_shipped = || if here.join("vehicles").is_dir() { here } else { default_stock() };
+    let or_shipped = || if here.join("vehicles").is_dir() { here } else { shipped::folder("stock") };
     let folder = stock.clone().unwrap_or_else(or_shipped);
     let found = match what {
         What::List => entries(&folder)?,

@@ -8,14 +8,15 @@ use files::Setting;
 use hotfoot::run::{Exported, export, workplace};
 
 use crate::output::print;
-use crate::run::default_fmus;
+use crate::run::{default_fmus, scenario_path};
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
 /// Arguments of `hotfoot export-ssp`.
 #[derive(Args)]
 pub struct ExportArguments {
-    /// Scenario: its folder or file
+    /// Scenario: its folder or file, or the name of a shipped one
+    #[arg(value_parser = scenario_path())]
     scenario: PathBuf,
     /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
     /// than once

@@ -1,11 +1,12 @@
 //! `hotfoot new`: the folder of a new scenario, from one that is shipped.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
 use files::{Document, Setting};
+use hotfoot::shipped;
 
 use crate::output;
 
@@ -18,7 +19,7 @@ pub struct NewArguments {
     /// Scenario that it begins as
     #[arg(long, value_enum, default_value_t = Template::FirstLook)]
     from: Template,
-    /// Folder of the rolling-stock library; left out: `stock` of the repository that the program was built in
+    /// Folder of the rolling-stock library; left out: `stock` beside the folder of the program
     #[arg(long)]
     stock: Option<PathBuf>,
 }
@@ -69,7 +70,7 @@ pub fn new(arguments: &NewArguments) -> Result<()> {
     if folder.exists() {
         bail!("{shown} is there already; name another folder");
     }
-    let stock = stock.clone().unwrap_or_else(default_stock);
+    let stock = stock.clone().unwrap_or_else(|| shipped::folder("stock"));
     let stock = fs::canonicalize(&stock).ok().filter(|stock| stock.join("vehicles").is_dir());
     let Some(stock) = stock else {
         bail!(
@@ -90,10 +91,4 @@ pub fn new(arguments: &NewArguments) -> Result<()> {
         "{shown} is a scenario of its own now: change scenario.toml, track.toml and driver.toml, and run it by\n  \
          hotfoot run {shown}"
     ))
-}
-
-/// `stock` beside `target`, in whose folder the program is.
-pub fn default_stock() -> PathBuf {
-    let program = std::env::current_exe().unwrap_or_default();
-    program.ancestors().nth(3).unwrap_or(Path::new(".")).join("stock")
 }

@@ -10,14 +10,16 @@ use hotfoot::run::wiring;
 use serde_json::{Value, json};
 
 use crate::output::{print_json, write};
-use crate::run::default_fmus;
+use crate::run::{default_fmus, scenario_path};
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
 /// Arguments of `hotfoot wiring`.
 #[derive(Args)]
 pub struct WiringArguments {
-    /// Scenario: its folder or file; or an SSP package (.ssp, its folder, or .ssd), or one .fmu
+    /// Scenario: its folder or file, or the name of a shipped one; or an SSP package (.ssp, its folder, or .ssd), or
+    /// one .fmu
+    #[arg(value_parser = scenario_path())]
     scenario: PathBuf,
     /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
     /// than once

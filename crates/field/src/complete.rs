@@ -7,7 +7,8 @@ use crate::layout::{self, TEMPERATURE_RISE, TIME};
 use crate::reader::{of_dimensions, open, section_rise};
 
 /// Gives a field whose writer was killed the same number of times, sections and snapshots: within an
-/// append, time and sections become visible before the snapshot.
+/// append, time and sections become visible before the snapshot, and all before the group's copy of
+/// their metadata.
 ///
 /// # Errors
 /// When there is no rail field at the path, or it cannot be written.
@@ -24,5 +25,5 @@ pub fn complete(path: &Path) -> Result<(), FieldError> {
             layout::write_metadata(path, &array)?;
         }
     }
-    Ok(())
+    layout::consolidate(path)
 }

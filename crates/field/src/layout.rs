@@ -37,6 +37,9 @@ pub(crate) const KIND: (&str, &str) = ("kind", "hotfoot rail field");
 /// when only a short length of rail is wanted.
 const CHUNK_ELEMENTS: u64 = 1024;
 
+/// Name of the metadata of the group and of each array.
+const METADATA: &str = "zarr.json";
+
 /// Name of metadata that are being written.
 pub(crate) const PARTIAL: &str = "zarr.json.partial";
 
@@ -201,10 +204,34 @@ pub(crate) fn write_metadata(path: &Path, array: &StoredArray) -> Result<(), Fie
     write_whole(&folder, &text).map_err(|source| FieldError::io(path, source))
 }
 
+/// Copies the metadata of all arrays into those of the group, so that a reader opens one file only.
+///
+/// One rename shows a snapshot and its time together.
+pub(crate) fn consolidate(path: &Path) -> Result<(), FieldError> {
+    let mut group = read_metadata(path)?;
+    let mut arrays = Map::new();
+    let of_field = [CHAINAGE, DEPTH, TEMPERATURE_RISE, TIME];
+    let of_sections = [SECTION_RISE, SECTION_CHAINAGE, SECTION_Y, SECTION_Z, SECTION_AREA];
+    // Not all rails keep sections.
+    let kept = of_sections.into_iter().filter(|name| path.join(name).exists());
+    for name in of_field.into_iter().chain(kept) {
+        arrays.insert(name.to_owned(), read_metadata(&path.join(name))?);
+    }
+    group["consolidated_metadata"] =
+        json!({ "kind": "inline", "must_understand": false, "metadata": arrays });
+    write_whole(path, &format!("{group:#}")).map_err(|source| FieldError::io(path, source))
+}
+
+fn read_metadata(folder: &Path) -> Result<Value, FieldError> {
+    let file = folder.join(METADATA);
+    let text = fs::read_to_string(&file).map_err(|source| FieldError::io(&file, source))?;
+    serde_json::from_str(&text).map_err(|error| FieldError::zarr(&file, error))
+}
+
 /// Writes `zarr.json` of the group or array in `folder` by a rename.
 pub(crate) fn write_whole(folder: &Path, text: &str) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
     let partial = folder.join(PARTIAL);
     fs::write(&partial, text)?;
-    fs::rename(partial, folder.join("zarr.json"))
+    fs::rename(partial, folder.join(METADATA))
 }

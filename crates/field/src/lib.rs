@@ -5,7 +5,8 @@
 //!
 //! ```text
 //! rail.zarr/
-//!   zarr.json            attributes: Conventions, title, what the writer's caller adds
+//!   zarr.json            attributes: Conventions, title, what the writer's caller adds; a copy of
+//!                        the metadata of all arrays ("consolidated")
 //!   temperature_rise/    f32 (time, chainage, depth), one shard a snapshot, zstd
 //!   time/                f64 (time), s
 //!   chainage/            f64 (chainage), m, middle of each element

@@ -124,7 +124,8 @@ impl FieldWriter {
         if let Some((sections, _)) = &self.sections {
             layout::write_metadata(&self.path, sections)?;
         }
-        layout::write_metadata(&self.path, &self.temperature_rise)
+        layout::write_metadata(&self.path, &self.temperature_rise)?;
+        layout::consolidate(&self.path)
     }
 
     /// Appends the snapshot at `time` in s: the rise in K, the depths of the first element first, and

@@ -59,6 +59,34 @@ fn metadata(path: &Path) -> serde_json::Value {
     serde_json::from_str(&fs::read_to_string(path.join("zarr.json")).unwrap()).unwrap()
 }
 
+/// The group's copy of the metadata says what those of the arrays say.
+fn assert_consolidated(path: &Path) {
+    let copies = &metadata(path)["consolidated_metadata"]["metadata"];
+    for array in ["chainage", "depth", "temperature_rise", "time"] {
+        assert_eq!(copies[array], metadata(&path.join(array)), "{array}");
+    }
+}
+
+/// A reader that trusts the copy sees every snapshot, while the field grows and after it was completed.
+#[test]
+fn property_the_copy_of_the_metadata_is_always_right() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.zarr");
+    let mut writer = create(&path);
+    assert_consolidated(&path);
+    for snapshot in 0..2 {
+        writer.append(snapshot as f64, &rise(&axes(), snapshot)).unwrap();
+        assert_consolidated(&path);
+    }
+    drop(writer);
+    FieldWriter::resume(&path, 1).unwrap();
+    assert_consolidated(&path);
+    let other = tempfile::tempdir().unwrap();
+    let path = half_appended(other.path());
+    field::complete(&path).unwrap();
+    assert_consolidated(&path);
+}
+
 #[test]
 fn property_what_is_written_is_read_to_the_last_bit() {
     let folder = tempfile::tempdir().unwrap();

@@ -8,6 +8,7 @@ use super::error::RunError;
 use super::scenario::setup;
 use crate::files::file_error::FileError;
 use crate::scenario;
+use crate::system::substitute::Substitutes;
 use crate::system::unit::terminate;
 use crate::train::fmus::Folders;
 
@@ -25,7 +26,7 @@ pub fn check_until_start(
     let folder = tempfile::tempdir().map_err(FileError::at(path))?;
     let (scenario, file, text) = scenario::load(path, settings)?;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().to_owned() };
-    let mut setup = setup(scenario, (&file, text), &folders, 1)?;
+    let mut setup = setup(scenario, (&file, text), &folders, 1, &mut Substitutes::new())?;
     setup.initialize()?;
     setup.recorder(&folder.path().join("series"))?;
     setup.describe()?;

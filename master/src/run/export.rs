@@ -16,6 +16,7 @@ use crate::interface::Interface;
 use crate::scenario;
 use crate::ssp::{STRUCTURE_FILE, SspError, write};
 use crate::system::structure::{Connector, ConnectorKind, Endpoint, Parameter, Structure, Value};
+use crate::system::substitute::Substitutes;
 use crate::train::fmus::Folders;
 
 /// What an export tells.
@@ -42,7 +43,7 @@ pub fn export(
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().join("results") };
     let train = placed(&scenario, &file, &folders)?;
     // What does not fit its FMUs is told now and not by the tool that runs the package.
-    train.system().map_err(RunError::prepare(&file))?;
+    train.system(&mut Substitutes::new()).map_err(RunError::prepare(&file))?;
 
     let package = folder.path().join("package");
     let mut sources = Sources::new(&package);

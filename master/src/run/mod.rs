@@ -16,6 +16,7 @@
 //! | `check_until_start.rs` | a run up to its first step |
 //! | `wiring.rs` | what would be run, without running it |
 //! | `folder/` | the folder of a run: claimed, and completed after any end |
+//! | `open_system/` | a system that the caller steps |
 //! | `workplace.rs`, `error.rs` | threads and name of a run, and why it failed |
 
 mod after;
@@ -31,6 +32,7 @@ pub mod folder;
 mod live;
 mod manifest;
 mod observe_error;
+pub mod open_system;
 mod options;
 mod output_table;
 mod outputs;
@@ -70,7 +72,8 @@ pub use wiring::wiring;
 use workplace::Workplace;
 
 use crate::report::{self, MainFigure};
-use crate::scenario::Times;
+use crate::scenario::{Scenario, Times};
+use crate::system::substitute::Substitutes;
 use crate::train::fmus::Folders;
 
 /// Runs a scenario, the system in a package, or a single FMU; the results go into the folder `results`,
@@ -109,10 +112,27 @@ fn run_or_resume(
         // With one thread all that an FMU sees, from loading to freeing, happens on it.
         return workplace.pool.install(|| {
             let beginning = begin(&Order::new(subject, options, results, source::inputs(path)?)?)?;
-            let setup = package::setup((path, written), results, options, workplace.threads)?;
+            let none = &mut Substitutes::new();
+            let setup = package::setup((path, written), results, options, workplace.threads, none)?;
             in_workplace(setup, &workplace, results, options.quiet, beginning)
         });
     }
+    let (scenario, file, text) = ordered(path, options)?;
+    let workplace = Workplace::open(options.threads)?;
+    let folders = Folders { fmus: options.fmus.clone(), results: results.to_owned() };
+    workplace.pool.install(|| {
+        let inputs = [vec![file.clone()], scenario.inputs(), folders.own_fmus()].concat();
+        let times = Times { checkpoint: scenario.record.checkpoint_s, ..options.times };
+        let ordered = Options { times, ..options.clone() };
+        let beginning = begin(&Order::new(subject, &ordered, results, inputs)?)?;
+        let none = &mut Substitutes::new();
+        let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads, none)?;
+        in_workplace(setup, &workplace, results, options.quiet, beginning)
+    })
+}
+
+/// The scenario at a path as the options want it, its file and its text.
+fn ordered(path: &Path, options: &Options) -> Result<(Scenario, PathBuf, String), RunError> {
     let (mut scenario, file, text) = crate::scenario::load(path, &options.settings)?;
     for (option, value) in options.times.stated() {
         RunError::check_time(option, value)?;
@@ -122,16 +142,7 @@ fn run_or_resume(
     scenario.checks = options.checks.or(scenario.checks);
     scenario.fmus.same_thread |= options.same_thread;
     scenario.fmus.isolated.clone_from(&options.isolate);
-    let workplace = Workplace::open(options.threads)?;
-    let folders = Folders { fmus: options.fmus.clone(), results: results.to_owned() };
-    workplace.pool.install(|| {
-        let inputs = [vec![file.clone()], scenario.inputs(), folders.own_fmus()].concat();
-        let times = Times { checkpoint: scenario.record.checkpoint_s, ..options.times };
-        let ordered = Options { times, ..options.clone() };
-        let beginning = begin(&Order::new(subject, &ordered, results, inputs)?)?;
-        let setup = scenario::setup(scenario, (&file, text), &folders, workplace.threads)?;
-        in_workplace(setup, &workplace, results, options.quiet, beginning)
-    })
+    Ok((scenario, file, text))
 }
 
 /// Runs what is set up, on the threads of the workplace, and writes its report, also of a run that has

@@ -17,6 +17,7 @@ use crate::ssp::{self, SspError};
 use crate::system::clock::Clock;
 use crate::system::step::System;
 use crate::system::structure::Structure;
+use crate::system::substitute::Substitutes;
 use crate::system::unit::Unit;
 
 /// Step where neither the package nor the user names one, s.
@@ -38,6 +39,7 @@ pub(crate) fn setup(
     results: &Path,
     options: &Options,
     threads: usize,
+    substitutes: &mut Substitutes,
 ) -> Result<Setup, RunError> {
     let (folder, mut structure) = source::read(path, &results.join("package"))?;
     for component in &mut structure.components {
@@ -55,7 +57,7 @@ pub(crate) fn setup(
         structure.step = structure.step.or(proposed.step);
     }
     let (clock, steps, every) = times_of(&structure, &options.times)?;
-    let mut system = ssp::open(&structure, &imports, &file, clock)?;
+    let mut system = ssp::open(&structure, &imports, &file, clock, substitutes)?;
     system.set_checks(options.checks.unwrap_or_default());
     let chosen = ChosenOutputs::new(&options.record, &structure.given, &system);
     let chosen = chosen.map_err(ObserveError::from)?;

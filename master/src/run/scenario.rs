@@ -12,6 +12,7 @@ use super::manifest::Manifest;
 use super::setup::{Setup, Subject};
 use crate::report::{RailFacts, RunFacts, TrackFacts};
 use crate::scenario::{Heat, Scenario};
+use crate::system::substitute::Substitutes;
 use crate::train::error::PrepareError;
 use crate::train::fmus::Folders;
 use crate::train::layout::{Layout, RailHolder};
@@ -45,10 +46,12 @@ pub fn setup(
     (file, text): (&Path, String),
     folders: &Folders,
     threads: usize,
+    substitutes: &mut Substitutes,
 ) -> Result<Setup, RunError> {
     let at_key = |error: RunError| error.at_key(&scenario);
     let train = placed(&scenario, file, folders).map_err(at_key)?;
-    let system = train.system().map_err(RunError::prepare(file)).map_err(at_key)?;
+    let system = train.system(substitutes);
+    let system = system.map_err(RunError::prepare(file)).map_err(at_key)?;
     let TrainSystem { structure, layout, .. } = train;
     let steps = (scenario.duration_s / scenario.step_s).round() as u64;
     let traffic = scenario.heat.as_ref().map(Traffic::of).unwrap_or_default();

@@ -38,8 +38,8 @@ pub struct Scenario {
     #[serde(default)]
     #[garde(skip)]
     pub train_alone: bool,
-    /// Folder of the rolling-stock library, relative to the scenario's file.
-    #[serde(default = "default_stock")]
+    /// Folder of the rolling-stock library, relative to the scenario's file. Left out: `../../stock` if it is there, else the library that is shipped with the program.
+    #[serde(default)]
     #[garde(skip)]
     pub stock: PathBuf,
     /// The train.
@@ -259,10 +259,6 @@ impl Default for Record {
 
 fn default_step() -> f64 {
     1e-3
-}
-
-fn default_stock() -> PathBuf {
-    PathBuf::from("../../stock")
 }
 
 fn one() -> usize {

@@ -8,6 +8,7 @@ use files::{Check, Document, Mistake, Setting};
 use super::check::{check, check_types};
 use super::file::Scenario;
 use super::value::{Value, quoted};
+use crate::files::shipped;
 
 /// The file of the scenario at `path`, which may be its folder.
 pub fn file_of(path: &Path) -> PathBuf {
@@ -71,6 +72,9 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, check: &Check) -> Resul
         *path = there(folder, path, key, check)?;
         Ok(())
     };
+    if scenario.stock.as_os_str().is_empty() {
+        scenario.stock = default_stock(folder);
+    }
     resolve(&mut scenario.stock, "stock")?;
     for (i, group) in scenario.train.vehicles.iter_mut().enumerate() {
         if let Some(name) = group.kind.strip_suffix(".toml") {
@@ -109,6 +113,12 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, check: &Check) -> Resul
         resolve_values(&mut other.parameters, folder, &check)?;
     }
     Ok(())
+}
+
+/// The rolling-stock library of a scenario in `folder` that names none.
+fn default_stock(folder: &Path) -> PathBuf {
+    let near = PathBuf::from("../../stock");
+    if folder.join(&near).exists() { near } else { shipped::folder("stock") }
 }
 
 /// The path of a file or folder that a key names, which must be there.

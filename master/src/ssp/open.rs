@@ -11,13 +11,14 @@ use crate::system::clock::Clock;
 use crate::system::compile::{CompileError, compile};
 use crate::system::step::System;
 use crate::system::structure::{Component, Structure};
+use crate::system::substitute::{self, Substitutes};
 use crate::system::unit::Unit;
 
 /// The FMUs of a structure by the `source` of their components.
 pub type Imports = BTreeMap<String, Arc<Import>>;
 
-/// Instantiates the FMUs of a structure, sets their parameters, and links them; `file` is the package's
-/// name for messages.
+/// Instantiates the FMUs of a structure that are not substituted, sets their parameters, and links
+/// them; `file` is the package's name for messages.
 ///
 /// # Errors
 /// When an FMU cannot be used, or the structure does not fit the FMUs.
@@ -26,6 +27,7 @@ pub fn open(
     imports: &Imports,
     file: &str,
     clock: Clock,
+    substitutes: &mut Substitutes,
 ) -> Result<System, SspError> {
     let structure = with_resource_paths(structure, |component| imports.get(&component.source));
     let unit = |component: &Component| -> Result<Box<dyn Unit>, SspError> {
@@ -34,7 +36,8 @@ pub fn open(
         let manner = Manner { home, tolerance, ..Manner::default() };
         Ok(fmi::unit(import, &component.name, manner)?)
     };
-    let units = structure.components.iter().map(unit).collect::<Result<_, _>>()?;
+    let mut units = structure.components.iter().map(unit).collect::<Result<Vec<_>, _>>()?;
+    substitute::replace(&mut units, substitutes);
     compile(&structure, units, clock).map_err(|error| match error {
         CompileError::Unit(error) => error.into(),
         CompileError::Unfit(problems) => SspError::Unfit { file: file.to_owned(), problems },

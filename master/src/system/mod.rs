@@ -9,6 +9,7 @@
 //! | `compile.rs`, `links.rs` | from a structure and its units to a system |
 //! | `start.rs` | the initialisation |
 //! | `step.rs`, `clock.rs`, `parallel.rs`, `times.rs` | the step |
+//! | `substitute.rs` | a model of the caller's in place of a component's |
 //! | `tap.rs` | signals by name |
 //! | `drawing.rs` | a structure as a person would draw it |
 
@@ -24,6 +25,7 @@ pub mod signals;
 pub mod start;
 pub mod step;
 pub mod structure;
+pub mod substitute;
 pub mod tap;
 pub mod times;
 pub mod unit;

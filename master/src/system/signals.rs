@@ -119,6 +119,16 @@ impl Signals {
         }
     }
 
+    /// Whether a variable has been taken in.
+    pub fn has(&self, kind: VariableType, reference: u32) -> bool {
+        match kind {
+            VariableType::Real => self.reals.known(reference).is_some(),
+            VariableType::Integer => self.integers.known(reference).is_some(),
+            VariableType::Boolean => self.booleans.known(reference).is_some(),
+            VariableType::Text => false,
+        }
+    }
+
     /// The value at an index as a number.
     pub fn number(&self, kind: VariableType, index: usize) -> f64 {
         match kind {

@@ -25,6 +25,7 @@ use crate::system::compile::compile;
 use crate::system::start::StartError;
 use crate::system::step::System;
 use crate::system::structure::{Component, Home, Parameter, Schedule, Structure, Value};
+use crate::system::substitute::{self, Substitutes};
 use crate::system::unit::{Unit, terminate};
 
 /// File of the controller's FMU.
@@ -276,7 +277,8 @@ impl TrainSystem {
     pub fn probe(&self) -> Result<System, PrepareError> {
         let is_train = |component: &&Component| component.name == self.layout.train;
         let components = self.structure.components.iter().filter(is_train).cloned().collect();
-        self.compile(&Structure { components, ..Structure::default() })
+        let structure = Structure { components, ..Structure::default() };
+        self.compile(&structure, &mut Substitutes::new())
     }
 
     /// Sets the vehicles to where the train has them at its start, as `probe` tells.
@@ -308,15 +310,19 @@ impl TrainSystem {
         Ok(terminate(probe.units_mut())?)
     }
 
-    /// The system that runs.
+    /// The system that runs, with the units that are substituted.
     ///
     /// # Errors
     /// When a unit refuses its parameters, or the units cannot be connected.
-    pub fn system(&self) -> Result<System, PrepareError> {
-        self.compile(&self.structure)
+    pub fn system(&self, substitutes: &mut Substitutes) -> Result<System, PrepareError> {
+        self.compile(&self.structure, substitutes)
     }
 
-    fn compile(&self, structure: &Structure) -> Result<System, PrepareError> {
+    fn compile(
+        &self,
+        structure: &Structure,
+        substitutes: &mut Substitutes,
+    ) -> Result<System, PrepareError> {
         let Structure { start, step, .. } = &self.structure;
         let clock = Clock { start: start.unwrap_or(0.0), length: step.unwrap_or(DEFAULT_STEP) };
         let unit = |component: &Component| -> Result<Box<dyn Unit>, PrepareError> {
@@ -328,7 +334,9 @@ impl TrainSystem {
             let manner = Manner { retries, home, tolerance: self.structure.tolerance };
             Ok(follow::following(&self.layout, structure, fmi::unit(import, name, manner)?))
         };
-        let units = structure.components.iter().map(unit).collect::<Result<Vec<_>, _>>()?;
+        let components = structure.components.iter();
+        let mut units = components.map(unit).collect::<Result<Vec<_>, _>>()?;
+        substitute::replace(&mut units, substitutes);
         let import = |component: &Component| self.imports.get(&component.source);
         let mut structure = with_resource_paths(structure, import);
         follow::connect(&self.layout, &mut structure, &units);

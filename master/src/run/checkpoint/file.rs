@@ -21,8 +21,13 @@ const DIGEST: usize = 32;
 /// # Errors
 /// When the file cannot be written.
 pub fn write(path: &Path, state: &impl Serialize) -> Result<(), FileError> {
+    write_whole(path, &[&to_bytes(state)])
+}
+
+/// A state as the bytes of its file.
+pub fn to_bytes(state: &impl Serialize) -> Vec<u8> {
     let content = postcard::to_allocvec(state).expect("plain data can always be serialized");
-    write_whole(path, &[MAGIC, &Sha256::digest(&content), &content])
+    [MAGIC, &Sha256::digest(&content), &content].concat()
 }
 
 /// Writes a file of these pieces under another name, and gives it its own when it is on the disk.
@@ -50,7 +55,14 @@ pub fn write_whole(path: &Path, pieces: &[&[u8]]) -> Result<(), FileError> {
 /// # Errors
 /// When it cannot be read, or is not one that was written as a whole.
 pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, String> {
-    let bytes = fs::read(path).map_err(|error| error.to_string())?;
+    from_bytes(&fs::read(path).map_err(|error| error.to_string())?)
+}
+
+/// The state that these are the bytes of, or says what is wrong with them.
+///
+/// # Errors
+/// When they are not those of a whole state.
+pub fn from_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, String> {
     let rest = bytes.strip_prefix(MAGIC).ok_or("it is no checkpoint of this version")?;
     let (digest, content) = rest.split_at_checked(DIGEST).ok_or("it is cut short")?;
     if Sha256::digest(content)[..] != *digest {

@@ -28,6 +28,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use error::CheckpointError;
+pub use file::{from_bytes, to_bytes};
 pub use order::{Order, Subject};
 pub use state::{Reached, RunState};
 

@@ -66,6 +66,11 @@ const FORBIDDEN: &[Forbidden] = &[
         reason: "the engineering commands ask the models and are no part of a run",
     },
     Forbidden {
+        packages: &["python/native"],
+        dependencies: &[MODELS, &["cli", "tools", "field", "track", "stock", "contact"]],
+        reason: "Python gets the master's open system and nothing else",
+    },
+    Forbidden {
         packages: &["crates/fmu"],
         dependencies: &[&["track", "stock", "contact", "field", "numerics", "controller"], OUTSIDE],
         reason: "the export of FMUs knows no trains",

@@ -1,0 +1,169 @@
+//! The module `hotfoot._native`: the master's open system for Python.
+//!
+//! | file | part |
+//! |---|---|
+//! | `lib.rs` | the module and its class |
+//! | `model.rs` | a model in Python in place of a component |
+//!
+//! What people call is `python/hotfoot/_system.py`.
+
+mod model;
+
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, TryLockError};
+
+use files::Setting;
+use hotfoot::run::Options;
+use hotfoot::run::open_system::{OpenSystem, OpenSystemError};
+use hotfoot::scenario::Times;
+use hotfoot::{Substitute, Substitutes, shipped};
+use model::{Model, Raised};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+pyo3::import_exception!(hotfoot._shipped, RunError);
+
+/// Steps between two looks whether somebody has pressed Ctrl-C.
+const STEPS_PER_LOOK: u64 = 100;
+
+/// A variable as Python gets it: name, causality, type, unit, start value, description.
+type Row = (String, String, String, Option<String>, Option<String>, String);
+
+/// A system that Python steps.
+#[pyclass(module = "hotfoot._native")]
+struct NativeSystem {
+    system: Mutex<OpenSystem>,
+    raised: Raised,
+}
+
+#[pymethods]
+impl NativeSystem {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        path: PathBuf,
+        home: PathBuf,
+        settings: Vec<String>,
+        times: (Option<f64>, Option<f64>),
+        threads: Option<usize>,
+        replace: Vec<(String, Py<PyAny>)>,
+    ) -> PyResult<Self> {
+        let settings = settings.iter().map(|setting| setting.parse::<Setting>());
+        let settings = settings.collect::<Result<_, _>>().map_err(PyValueError::new_err)?;
+        let (duration, step) = times;
+        let times = Times { duration, step, ..Times::default() };
+        shipped::lies_in(home);
+        let (path, fmus) = (shipped::scenario(path), shipped::folder("fmus"));
+        let options = Options { threads, fmus, settings, times, quiet: true, ..Options::default() };
+        let raised = Raised::default();
+        let mut substitutes = Substitutes::new();
+        for (name, object) in replace {
+            let model = Model::new(object.bind(py), Arc::clone(&raised))?;
+            substitutes.insert(name, Box::new(model) as Box<dyn Substitute>);
+        }
+        let opened = py.detach(|| OpenSystem::open(&path, &options, substitutes));
+        let system = Mutex::new(opened.map_err(|error| exception(py, &error, &raised))?);
+        Ok(Self { system, raised })
+    }
+
+    fn step(&self, py: Python<'_>, steps: u64) -> PyResult<()> {
+        let (done, all) = self.with(py, |system| Ok(system.steps()))?;
+        // What leads beyond the end is refused as a whole.
+        let at_once = if steps > all - done { steps } else { STEPS_PER_LOOK };
+        let mut left = steps;
+        while left > 0 {
+            let some = left.min(at_once);
+            self.with(py, |system| system.step(some))?;
+            py.check_signals()?;
+            left -= some;
+        }
+        Ok(())
+    }
+
+    fn get(&self, py: Python<'_>, names: Vec<String>) -> PyResult<Vec<f64>> {
+        self.with(py, |system| system.get(&names))
+    }
+
+    fn set(&self, py: Python<'_>, names: Vec<String>, values: Vec<f64>) -> PyResult<()> {
+        self.with(py, |system| system.set(&names, &values))
+    }
+
+    fn save<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        Ok(PyBytes::new(py, &self.with(py, OpenSystem::save)?))
+    }
+
+    fn restore(&self, py: Python<'_>, saved: &[u8]) -> PyResult<()> {
+        self.with(py, |system| system.restore(saved))
+    }
+
+    /// Time, s, length of a step, s, steps that are done, and number of all steps.
+    fn clock(&self, py: Python<'_>) -> PyResult<(f64, f64, u64, u64)> {
+        self.with(py, |system| {
+            let (done, all) = system.steps();
+            Ok((system.time(), system.step_length(), done, all))
+        })
+    }
+
+    fn components(&self, py: Python<'_>) -> PyResult<Vec<(String, String)>> {
+        self.with(py, |system| Ok(system.components()))
+    }
+
+    fn variables(&self, py: Python<'_>, component: &str) -> PyResult<Vec<Row>> {
+        self.with(py, |system| {
+            let variables = system.variables(component)?.into_iter().map(|variable| {
+                let kind = format!("{:?}", variable.kind).replace("Text", "String");
+                (
+                    variable.name.clone(),
+                    variable.causality.clone(),
+                    kind,
+                    variable.unit.clone(),
+                    variable.start.clone(),
+                    variable.description.clone(),
+                )
+            });
+            Ok(variables.collect())
+        })
+    }
+
+    fn take_warnings(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        self.with(py, |system| Ok(system.take_warnings()))
+    }
+}
+
+impl NativeSystem {
+    /// Does something with the system while other threads of Python go on.
+    fn with<T: Send>(
+        &self,
+        py: Python<'_>,
+        task: impl FnOnce(&mut OpenSystem) -> Result<T, OpenSystemError> + Send,
+    ) -> PyResult<T> {
+        let done = py.detach(|| match self.system.try_lock() {
+            Ok(mut system) => task(&mut system),
+            Err(TryLockError::Poisoned(poisoned)) => task(&mut poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) => Err(OpenSystemError::Request(
+                "the system is in a step: neither another thread nor a model in it can use it meanwhile"
+                    .to_owned(),
+            )),
+        });
+        done.map_err(|error| exception(py, &error, &self.raised))
+    }
+}
+
+/// An error of the system as an exception; what a model in Python has raised is its cause.
+fn exception(py: Python<'_>, error: &OpenSystemError, raised: &Raised) -> PyErr {
+    let exception = match error {
+        OpenSystemError::Request(sentence) => PyValueError::new_err(sentence.clone()),
+        error => RunError::new_err(error.to_string()),
+    };
+    let cause = raised.lock().ok().and_then(|mut raised| raised.take());
+    exception.set_cause(py, cause);
+    exception
+}
+
+/// The module.
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use super::NativeSystem;
+}

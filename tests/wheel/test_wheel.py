@@ -1,0 +1,113 @@
+"""The wheel on a machine without Rust: installed, run, and linked for an old C library.
+
+`cargo xtask wheel-test` builds the wheel, names it in HOTFOOT_WHEEL, and calls these tests.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+import pytest
+from elftools.elf.elffile import ELFFile
+from elftools.elf.gnuversions import GNUVerNeedSection
+
+WHEEL = Path(os.environ["HOTFOOT_WHEEL"])
+OLDEST_GLIBC = (2, 28)
+MOST_MB = 25.0
+# No cargo, no compiler, no clone.
+PATH = "/usr/bin:/bin"
+
+STEP = """
+import hotfoot
+system = hotfoot.System("first-look", duration_s=0.1)
+system.step(100)
+print(system["vehicle[3].velocity"])
+"""
+
+
+@pytest.fixture(scope="session")
+def installed(tmp_path_factory):
+    """The folder of the programs of an environment in which only the wheel is installed."""
+    folder = tmp_path_factory.mktemp("machine")
+    subprocess.run([sys.executable, "-m", "venv", folder / "venv"], check=True)
+    programs = folder / "venv" / "bin"
+    begin = time.monotonic()
+    command = [programs / "pip", "install", "--quiet", "--disable-pip-version-check", WHEEL]
+    subprocess.run(command, check=True, env=environment(folder))
+    print(f"\npip install: {time.monotonic() - begin:.1f} s")
+    return programs
+
+
+def environment(folder):
+    """The environment of a user who has neither Rust nor this repository."""
+    return {"PATH": PATH, "HOME": str(folder), "LANG": "C.UTF-8", "TMPDIR": str(folder)}
+
+
+def test_the_first_look_runs_by_its_name_with_what_is_in_the_wheel(installed, tmp_path):
+    begin = time.monotonic()
+    command = [installed / "hotfoot", "run", "first-look", "--quiet"]
+    done = subprocess.run(command, cwd=tmp_path, env=environment(tmp_path), capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    print(f"\nhotfoot run first-look: {time.monotonic() - begin:.1f} s")
+    assert (tmp_path / "results" / "first-look" / "report.html").is_file()
+    assert "foot" in done.stdout
+
+
+def test_a_new_scenario_finds_the_rolling_stock_of_the_wheel(installed, tmp_path):
+    for command in (["new", "mine"], ["check", "mine"]):
+        done = subprocess.run(
+            [installed / "hotfoot", *command], cwd=tmp_path, env=environment(tmp_path), capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stderr
+    assert str(installed.parent) in (tmp_path / "mine" / "scenario.toml").read_text()
+
+
+def test_a_system_is_stepped_from_python(installed, tmp_path):
+    command = [installed / "python", "-c", STEP]
+    done = subprocess.run(command, cwd=tmp_path, env=environment(tmp_path), capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert 16.0 < float(done.stdout) < 18.0
+
+
+def test_the_wheel_is_small_and_needs_five_libraries_of_python():
+    assert WHEEL.stat().st_size < MOST_MB * 1e6
+    with zipfile.ZipFile(WHEEL) as content:
+        (metadata,) = (name for name in content.namelist() if name.endswith("/METADATA"))
+        needed = re.findall(r"^Requires-Dist: (\w+)", content.read(metadata).decode(), re.MULTILINE)
+    assert needed == ["numpy", "pandas", "pyarrow", "xarray", "zarr"]
+
+
+def test_no_program_or_library_needs_a_newer_c_library(tmp_path):
+    files = list(binaries(tmp_path))
+    assert len(files) == 6, files
+    for file in files:
+        needed = glibc_versions(file)
+        assert needed, file
+        assert max(needed) <= OLDEST_GLIBC, f"{file}: glibc {max(needed)}"
+
+
+def binaries(folder):
+    """The program, the module, and the library of each FMU, unpacked."""
+    with zipfile.ZipFile(WHEEL) as content:
+        content.extractall(folder)
+    package = folder / "hotfoot"
+    yield package / "bin" / "hotfoot"
+    yield package / "_native.abi3.so"
+    for fmu in package.glob("fmus/*.fmu"):
+        with zipfile.ZipFile(fmu) as content:
+            content.extractall(folder / fmu.stem)
+        yield from (folder / fmu.stem).glob("binaries/**/*.so")
+
+
+def glibc_versions(file):
+    """The versions of glibc whose symbols a program or library needs, as (2, 17)."""
+    with file.open("rb") as stream:
+        sections = ELFFile(stream).iter_sections()
+        needs = [section for section in sections if isinstance(section, GNUVerNeedSection)]
+        versions = [version.name for need in needs for _, all_of in need.iter_versions() for version in all_of]
+    numbers = (re.fullmatch(r"GLIBC_(\d+)\.(\d+)(?:\.\d+)?", version) for version in versions)
+    return {(int(number[1]), int(number[2])) for number in numbers if number}
