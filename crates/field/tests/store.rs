@@ -75,7 +75,7 @@ fn property_the_copy_of_the_metadata_is_always_right() {
     let mut writer = create(&path);
     assert_consolidated(&path);
     for snapshot in 0..2 {
-        writer.append(snapshot as f64, &rise(&axes(), snapshot)).unwrap();
+        writer.append(snapshot as f64, &rise(&axes(), snapshot), &[]).unwrap();
         assert_consolidated(&path);
     }
     drop(writer);

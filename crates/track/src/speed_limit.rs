@@ -10,13 +10,14 @@
 //! They change nothing of what a train does: drivers keep to files of their own. Reports show them.
 
 use files::{Check, Mistake};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Greatest speed that a limit may have, m/s.
 const GREATEST: f64 = 150.0;
 
 /// A speed limit on a part of the track.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SpeedLimit {
     /// Chainage at which it begins, m.
