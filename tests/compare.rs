@@ -117,7 +117,7 @@ fn wrong_measurements(folder: &Path) {
         (&["m.csv", "--time", "Zeit"], "no column is a signal"),
         (
             &["m.csv", "--time", "Zeit", "--map", "GSP=vehicles[1].velocity"],
-            "there is no column GSP; did you mean `GPS [km/h]`?",
+            "there is no column GSP; did you mean `GPS`?",
         ),
         (
             &["m.csv", "--time", "Zeit", "--map", "GPS=vehicles[1].velocty"],

@@ -32,7 +32,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use tools::{ToolError, contact, creep, critical_speed, modes};
 
 use crate::fmu::{interface, pack};
-use crate::output::{Told, is_closed_pipe, message, tell};
+use crate::output::{Reported, is_closed_pipe, message, tell};
 use crate::reference::{schema, shells, stock};
 use crate::results::{compare, report};
 use crate::scenario::{export_ssp, new, wiring};
@@ -147,7 +147,7 @@ fn outcome(done: Result<u8>) -> u8 {
     match done {
         Ok(code) => code,
         Err(error) if is_closed_pipe(&error) => 0,
-        Err(error) if error.is::<Told>() => 1,
+        Err(error) if error.is::<Reported>() => 1,
         Err(error) => {
             tell(format_args!("Error: {}", message(&error)));
             1

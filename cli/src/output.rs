@@ -56,15 +56,15 @@ pub fn tell(sentence: impl Display) {
 
 /// An error whose sentence is told already.
 #[derive(Debug)]
-pub struct Told;
+pub struct Reported;
 
-impl Display for Told {
+impl Display for Reported {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("it is told already")
     }
 }
 
-impl std::error::Error for Told {}
+impl std::error::Error for Reported {}
 
 /// Whether an error is that nobody reads the standard output any more, which is no failure.
 pub fn is_closed_pipe(error: &Error) -> bool {

@@ -2,12 +2,12 @@
 //!
 //! | file | task |
 //! |---|---|
-//! | `book.rs` | the book |
+//! | `book/` | the book |
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
 //! | `foot_study.rs` | the runs of the foot study, its table and expected figures |
 //! | `instructions.rs` | instructions of a vehicle's step, counted |
 //! | `package.rs` | the Python package and its wheel |
-//! | `test.rs` | the whole test run, and runs that are killed |
+//! | `test.rs` | the whole test run, and checks that take longer |
 //! | `python.rs` | the Python environments: of the tests, which has libclang too, and of the wheel's tools |
 //! | `shell.rs` | running commands |
 
@@ -58,6 +58,8 @@ enum Task {
     },
     /// Build the book in target/book/html
     Book,
+    /// Run the FMUs with the crate `fmi`, another importer (some minutes, most for building it)
+    Importer,
     /// Compare the package of every shipped scenario with the scenario's run (a quarter of an hour)
     Packages,
     /// Count the instructions of a vehicle's step by its parts (needs valgrind)
@@ -104,6 +106,10 @@ fn main() -> Result<()> {
         Task::Book => {
             println!("{}", book::build()?.display());
             Ok(())
+        }
+        Task::Importer => {
+            fmus::build()?;
+            test::importer()
         }
         Task::Packages => {
             fmus::build()?;

@@ -1,16 +1,14 @@
 //! The whole test run.
 
-use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow};
 
 use crate::shell::{cargo, output, run, target};
-use crate::{fmus, package, python};
+use crate::{book, fmus, package, python};
 
-/// Format, licences, FMUs and their model descriptions, lints, documentation, Rust tests, FMPy tests,
-/// the crate `fmi`.
+/// Format, licences, FMUs and their model descriptions, the book, lints, documentation, Rust tests, FMPy tests.
 pub fn run_all() -> Result<()> {
     let mut stages = Stages::default();
     stages.run("format", || run(cargo().args(["fmt", "--all", "--check"])))?;
@@ -31,6 +29,7 @@ pub fn run_all() -> Result<()> {
         package::stage()?;
         fmus::check_model_descriptions()
     })?;
+    stages.run("book", || book::build().map(drop))?;
     stages.run("lints", || {
         let lint = ["clippy", "--workspace", "--all-targets", "--release", "--", "-D", "warnings"];
         run(cargo().args(lint))
@@ -48,7 +47,6 @@ pub fn run_all() -> Result<()> {
     stages.run("FMPy tests", || {
         run(Command::new(&python).args(["-m", "pytest", "-q", "-n", "auto", "tests/python"]))
     })?;
-    stages.run("the crate fmi as importer", || importer(&python))?;
     stages.tell();
     Ok(())
 }
@@ -80,13 +78,14 @@ pub fn packages() -> Result<()> {
 }
 
 /// The tests with the crate `fmi`, which generates its bindings with libclang: that of the Python
-/// environment, with the headers of the C compiler.
-fn importer(python: &Path) -> Result<()> {
+/// environment, with the headers of the C compiler. The FMUs must be packed.
+pub fn importer() -> Result<()> {
+    let python = python::TESTS.interpreter()?;
     let headers = output(Command::new("cc").arg("-print-file-name=include"))?;
     run(cargo()
         .args(["test", "--manifest-path", "tests/interop/Cargo.toml"])
         .env("CARGO_TARGET_DIR", target().join("interop"))
-        .env("LIBCLANG_PATH", python::libclang(python)?)
+        .env("LIBCLANG_PATH", python::libclang(&python)?)
         .env("BINDGEN_EXTRA_CLANG_ARGS", format!("-I{}", headers.trim()))
         .env("HOTFOOT_FMUS", std::path::absolute(target().join("fmus"))?))
 }

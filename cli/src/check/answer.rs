@@ -8,7 +8,7 @@ use files::Mistake;
 use hotfoot::RunError;
 use serde::Serialize;
 
-use crate::output::{Told, message, print, print_json, tell};
+use crate::output::{Reported, is_closed_pipe, message, print, print_json, tell};
 
 /// How the answer to a check is given.
 pub(super) struct Answer<'a> {
@@ -71,7 +71,7 @@ impl<'a> Answer<'a> {
             Ok(notes) if self.json => return self.print(&notes, vec![]),
             Ok(_) if self.quiet => return Ok(()),
             Ok(notes) => return notes.iter().try_for_each(print),
-            Err(error) if error.is::<Told>() => return Err(error),
+            Err(error) if error.is::<Reported>() || is_closed_pipe(&error) => return Err(error),
             Err(error) => error,
         };
         let found = error.downcast_ref::<Problems>();
@@ -79,7 +79,7 @@ impl<'a> Answer<'a> {
         if self.json {
             let problems = found.map_or_else(
                 || vec![problem(&error)],
-                |found| found.problems.iter().cloned().map(without_place).collect(),
+                |found| found.problems.iter().cloned().map(without_position).collect(),
             );
             self.print(notes, problems)?;
         } else {
@@ -88,7 +88,7 @@ impl<'a> Answer<'a> {
             }
             tell(format_args!("Error: {}", message(&error)));
         }
-        Err(Told.into())
+        Err(Reported.into())
     }
 
     fn print(&self, notes: &[String], problems: Vec<Problem>) -> Result<()> {
@@ -97,7 +97,7 @@ impl<'a> Answer<'a> {
     }
 }
 
-fn without_place(message: String) -> Problem {
+fn without_position(message: String) -> Problem {
     Problem { message, file: None, line: None, column: None }
 }
 
@@ -108,7 +108,7 @@ fn problem(error: &Error) -> Problem {
         _ => None,
     });
     let Some(mistake) = error.downcast_ref::<Mistake>().or(of_run) else {
-        return without_place(message(error));
+        return without_position(message(error));
     };
     let mark = mistake.mark.as_ref();
     Problem {

@@ -46,7 +46,8 @@ enum What {
 pub fn stock(arguments: &StockArguments) -> Result<()> {
     let StockArguments { what, stock, json } = arguments;
     let here = PathBuf::from("stock");
-    let or_shipped = || if here.join("vehicles").is_dir() { here } else { shipped::folder("stock") };
+    let or_shipped =
+        || if here.join("vehicles").is_dir() { here } else { shipped::folder("stock") };
     let folder = stock.clone().unwrap_or_else(or_shipped);
     let found = match what {
         What::List => entries(&folder)?,

@@ -137,13 +137,13 @@ fn print_errors(compared: &Compared) -> Result<()> {
     if different.is_empty() {
         return Ok(());
     }
-    let [column, relative, largest, rms, last, place] =
+    let [column, relative, largest, rms, last, line] =
         ["column", "relative", "largest", "RMS", "final", "where and when it is largest"];
     let shown = different.len().min(MOST_LINES);
     let width = different[..shown].iter().map(|c| c.table.len() + c.column.len() + 1).max();
     let width = width.unwrap_or(0).max(column.len());
     print(format_args!(
-        "  {column:<width$} {relative:>11} {largest:>11} {rms:>11} {last:>11}  {place}"
+        "  {column:<width$} {relative:>11} {largest:>11} {rms:>11} {last:>11}  {line}"
     ))?;
     for errors in &different[..shown] {
         let name = format!("{}.{}", errors.table, errors.column);

@@ -95,8 +95,8 @@ impl FieldReader {
             return Ok(vec![]);
         };
         let index = self.nearest(time)? as u64;
-        let (places, cells) = (sections.chainage.len() as u64, sections.y.len() as u64);
-        let ranges = [index..index + 1, 0..places, 0..cells];
+        let (probes, cells) = (sections.chainage.len() as u64, sections.y.len() as u64);
+        let ranges = [index..index + 1, 0..probes, 0..cells];
         read(&self.path, array, &ArraySubset::new_with_ranges(&ranges))
     }
 

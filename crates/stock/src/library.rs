@@ -102,7 +102,11 @@ impl Library {
     ///
     /// # Errors
     /// When there is no such draft gear, or its file has a value that is not possible.
-    pub fn draft_gears_of(&self, file: &Path, vehicle: &Vehicle) -> Result<[DraftGear; 2], Mistake> {
+    pub fn draft_gears_of(
+        &self,
+        file: &Path,
+        vehicle: &Vehicle,
+    ) -> Result<[DraftGear; 2], Mistake> {
         let gear = |key: &str, gear: &str| {
             let folder = self.root.join("draft_gears");
             if folder.join(format!("{gear}.toml")).is_file() {

@@ -7,7 +7,7 @@ use crate::weather::Weather;
 
 /// Where the rise of the whole section is kept.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Places<'m> {
+pub struct KeptSections<'m> {
     /// Chainage of each place, m.
     pub chainages: Vec<f64>,
     /// The cells of the section.
@@ -51,7 +51,7 @@ pub trait HeatModel {
     fn snapshot(&self, values: &mut [f32]);
 
     /// Where the rise of the whole section is kept, if anywhere.
-    fn places(&self) -> Option<Places<'_>> {
+    fn kept_sections(&self) -> Option<KeptSections<'_>> {
         None
     }
 

@@ -1,5 +1,4 @@
-//! Files on disk: archives, XML in its encodings, foreign texts, what is shipped with the program, and what
-//! goes wrong with a file.
+//! Files on disk: archives, XML, foreign texts, what is shipped, and what goes wrong with a file.
 
 pub mod archive;
 pub mod file_error;

@@ -1,4 +1,4 @@
-//! What is shipped with the program: folders `fmus`, `stock` and `scenarios` beside that of the program.
+//! What is shipped: folders `fmus`, `stock` and `scenarios` beside the folder of the program.
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;

@@ -12,9 +12,9 @@ use crate::system::substitute::Substitutes;
 use crate::system::unit::terminate;
 use crate::train::fmus::Folders;
 
-/// Sets a scenario up with these settings and initialises its units as its run does; Hotfoot's own FMUs lie in `fmus`.
+/// Sets a scenario up with these settings and initialises its units as its run does.
 ///
-/// Gives what the run will say before its first step, in sentences.
+/// Hotfoot's own FMUs lie in `fmus`. Gives what the run will say before its first step, in sentences.
 ///
 /// # Errors
 /// When something is wrong for which the run would not begin.

@@ -28,7 +28,9 @@ pub struct Exported {
     pub connections: usize,
 }
 
-/// Writes the scenario at `path`, with these settings, as the package `target`; Hotfoot's own FMUs lie in `fmus`.
+/// Writes the scenario at `path`, with these settings, as the package `target`.
+///
+/// Hotfoot's own FMUs lie in `fmus`.
 ///
 /// # Errors
 /// When the scenario is wrong, a unit fails, or the package cannot be written.

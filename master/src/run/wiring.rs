@@ -12,7 +12,9 @@ use crate::system::structure::Structure;
 use crate::train::fmus::Folders;
 use crate::train::structure::of_scenario;
 
-/// The structure of the scenario, with these settings, or package at `path`; Hotfoot's own FMUs lie in `fmus`.
+/// The structure of the scenario, with these settings, or of the package at `path`.
+///
+/// Hotfoot's own FMUs lie in `fmus`.
 ///
 /// # Errors
 /// When the scenario or package is wrong, or an FMU is missing or unfit.

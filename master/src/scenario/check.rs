@@ -130,8 +130,9 @@ fn check_probes(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     Ok(())
 }
 
-/// The types of the vehicles are in the library of the scenario, whose path is absolute, or files with names
-/// of their own.
+/// The types of the vehicles are in the scenario's library, whose path is absolute, or have files.
+///
+/// Their files have names of their own.
 pub fn check_types(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     let folder = scenario.stock.join("vehicles");
     let wanted = "is no rolling-stock library: it has no folder `vehicles`";
@@ -144,10 +145,12 @@ pub fn check_types(scenario: &Scenario, check: &Check) -> Result<(), Mistake> {
     known.sort();
     for (i, group) in scenario.train.vehicles.iter().enumerate() {
         if let Some(file) = &group.file {
-            let is_other = |other: &VehicleGroup| other.kind == group.kind && other.file != group.file;
+            let is_other =
+                |other: &VehicleGroup| other.kind == group.kind && other.file != group.file;
             let is_taken =
                 known.contains(&group.kind) || scenario.train.vehicles.iter().any(is_other);
-            let wanted = "the stock library or another vehicle of the train has this name; rename the file";
+            let wanted =
+                "the stock library or another vehicle of the train has this name; rename the file";
             let check = check.element("train.vehicles", i);
             check.ensure(!is_taken, "type", file.display(), wanted)?;
             continue;

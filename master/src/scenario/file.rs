@@ -38,7 +38,9 @@ pub struct Scenario {
     #[serde(default)]
     #[garde(skip)]
     pub train_alone: bool,
-    /// Folder of the rolling-stock library, relative to the scenario's file. Left out: `../../stock` if it is there, else the library that is shipped with the program.
+    /// Folder of the rolling-stock library, relative to the scenario's file.
+    ///
+    /// Left out: `../../stock` if it is there, else the library that is shipped with the program.
     #[serde(default)]
     #[garde(skip)]
     pub stock: PathBuf,
@@ -270,9 +272,8 @@ impl Scenario {
     pub fn vehicle_file(&self, kind: &str) -> PathBuf {
         let stated = self.train.vehicles.iter().find(|group| group.kind == kind);
         let stated = stated.and_then(|group| group.file.clone());
-        stated.unwrap_or_else(|| {
-            self.stock.join("vehicles").join(kind).with_added_extension("toml")
-        })
+        stated
+            .unwrap_or_else(|| self.stock.join("vehicles").join(kind).with_added_extension("toml"))
     }
 
     /// Number of vehicles in the train.

@@ -292,7 +292,7 @@ file = "driver.toml"
         let folder = tempfile::tempdir().unwrap();
         let stock = folder.path().join("stock");
         std::fs::create_dir_all(stock.join("vehicles")).unwrap();
-        for file in ["track.toml", "driver.toml"] {
+        for file in ["track.toml", "driver.toml", "stock/vehicles/locomotive.toml"] {
             std::fs::write(folder.path().join(file), "").unwrap();
         }
         let file = folder.path().join("scenario.toml");

@@ -133,7 +133,9 @@ fn enumeration(
         }
     }
     let message = if names.is_empty() {
-        format!("value=\"{value}\" names an item, but the parameter set declares no enumeration of it")
+        format!(
+            "value=\"{value}\" names an item, but the parameter set declares no enumeration of it"
+        )
     } else {
         format!("value=\"{value}\" is no item of the enumeration, which has {}", names.join(", "))
     };

@@ -156,11 +156,9 @@ fn an_item_of_an_enumeration_is_given_by_its_name_or_number() {
         let structure = structure(&elements, &[]).map_err(|error| error.to_string())?;
         Ok(structure.component("a").unwrap().parameters[0].value.clone())
     };
-    for (attributes, number) in [
-        (r#"value="first""#, 4),
-        (r#"name="Gear" value="reverse""#, -1),
-        (r#"value="2""#, 2),
-    ] {
+    for (attributes, number) in
+        [(r#"value="first""#, 4), (r#"name="Gear" value="reverse""#, -1), (r#"value="2""#, 2)]
+    {
         assert_eq!(value(attributes), Ok(Value::Integer(number)), "{attributes}");
     }
     let refused: Result<_, String> = value(r#"value="second""#);

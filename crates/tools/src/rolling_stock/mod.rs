@@ -1,5 +1,6 @@
-//! The rolling-stock library as a list: vehicles, draft gears, rail sections and profiles with their main
-//! figures and where these are from.
+//! The rolling-stock library as a list.
+//!
+//! Vehicles, draft gears, rail sections and profiles, with their main figures and where these are from.
 //!
 //! | file | part |
 //! |---|---|

@@ -186,7 +186,7 @@ impl State {
         let untouched = untouched::State { amplitudes: vec![0.0; untouched], weather: 0.0 };
         Self {
             elements: Elements::new(parameters.line.elements, kept, readings),
-            places: vec![],
+            kept_elements: vec![],
             untouched: vec![untouched; zones],
             conducted: start_time,
             positions: vec![None; wheels],

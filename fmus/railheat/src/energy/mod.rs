@@ -13,7 +13,7 @@
 //! | `elements.rs` | what each element has more than untouched rail |
 //! | `followers.rs` | modes so fast that they follow the heat |
 //! | `along.rs` | conduction along the track |
-//! | `places.rs`, `sections.rs` | the rise of the whole section at some places |
+//! | `kept_elements.rs`, `sections.rs` | the rise of the whole section at some places |
 //! | `answer.rs` | highest foot rise, first detection, camera on the train |
 //! | `surroundings.rs` | shade and wind of the train, and weather that has changed |
 //! | `observe.rs` | what is read after each conduction |
@@ -26,11 +26,11 @@ mod build;
 mod elements;
 mod followers;
 mod initial;
+mod kept_elements;
 mod ledger;
 mod model;
 mod observe;
 mod parameters;
-mod places;
 mod sections;
 mod start;
 mod surroundings;

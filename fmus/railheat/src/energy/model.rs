@@ -19,9 +19,9 @@ use super::along::Along;
 use super::answer::Answer;
 use super::elements::{Elements, Section};
 use super::followers::Followers;
+use super::kept_elements::{KeptElement, Sections};
 use super::ledger::{Ledger, Sources};
 use super::parameters::Parameters;
-use super::places::{Place, Sections};
 use super::untouched::{self, Untouched};
 use super::zones::Zone;
 use crate::contact::Wheel;
@@ -40,7 +40,7 @@ pub const LONGEST_IDLE: f64 = 60.0;
 pub struct State {
     pub(super) elements: Elements,
     /// Where the rise of the whole section is kept.
-    pub(super) places: Vec<Place>,
+    pub(super) kept_elements: Vec<KeptElement>,
     /// Untouched rail in each direction of the track.
     pub(super) untouched: Vec<untouched::State>,
     /// Until when heat has been conducted, s.

@@ -9,10 +9,10 @@
 use super::along::Along;
 use super::elements::{Elements, Section};
 use super::followers::Followers;
+use super::kept_elements::{KeptElement, Sections};
 use super::model::EnergyModel;
 use super::parameters::Resolution;
-use super::places::{Place, Sections};
-use crate::heat_model::Places;
+use crate::heat_model::KeptSections;
 use crate::section::{add, dot};
 
 /// Length of track on either side of a place from which heat may flow to it, m: in an hour heat goes
@@ -36,13 +36,13 @@ impl EnergyModel {
         let none = self.modes.even_width();
         let followers = Followers::new(&self.modes, none, &self.readings, &self.crown, shapes);
         let width = self.modes.width();
-        let place = |&element: &usize| {
+        let kept = |&element: &usize| {
             let first = element.saturating_sub(reach);
             let count = (element + reach + 1).min(line.elements) - first;
             let elements = Elements::new(count, width, followers.count());
-            Place { first, middle: element - first, elements }
+            KeptElement { first, middle: element - first, elements }
         };
-        self.state.places = elements.iter().map(place).collect();
+        self.state.kept_elements = elements.iter().map(kept).collect();
         self.sections = Some(Sections {
             along: self.along.as_ref().map(|_| Along::new(2 * reach + 1)),
             source: vec![0.0; width],
@@ -57,7 +57,7 @@ impl EnergyModel {
         let line = &self.parameters.line;
         let number = self.parameters.material.diffusivity() * time
             / (line.element_length * line.element_length);
-        for Place { first, elements, .. } in &mut self.state.places {
+        for KeptElement { first, elements, .. } in &mut self.state.kept_elements {
             elements.take_deposits(&self.state.elements, *first, sections.field_side_is_right);
             let mut conduct = |elements: &mut Elements| {
                 if let Some(along) = &mut sections.along {
@@ -83,12 +83,12 @@ impl EnergyModel {
     }
 
     /// Where the rise of the whole section is kept, if anywhere.
-    pub(super) fn kept_places(&self) -> Option<Places<'_>> {
+    pub(super) fn kept_sections(&self) -> Option<KeptSections<'_>> {
         let sections = self.sections.as_ref()?;
         let line = &self.parameters.line;
-        let chainage = |place: &Place| line.chainage(place.first + place.middle);
-        Some(Places {
-            chainages: self.state.places.iter().map(chainage).collect(),
+        let chainage = |kept: &KeptElement| line.chainage(kept.first + kept.middle);
+        Some(KeptSections {
+            chainages: self.state.kept_elements.iter().map(chainage).collect(),
             cells: &self.cells.cells,
             cell_width: self.parameters.cell_size,
             field_side_is_right: sections.field_side_is_right,
@@ -97,13 +97,13 @@ impl EnergyModel {
 
     /// The rise of each cell at each place over the initial state, K; the cells of the first place first.
     pub fn section_rises(&self) -> Vec<f64> {
-        let of_place = |place: &Place| {
-            let zone = usize::from(self.zone_of[place.first + place.middle]);
+        let of_element = |kept: &KeptElement| {
+            let zone = usize::from(self.zone_of[kept.first + kept.middle]);
             let mut all = self.state.untouched[zone].amplitudes.clone();
             // The place has no more amplitudes than those that have not decayed.
-            add(&mut all, 1.0, place.elements.amplitudes(place.middle));
+            add(&mut all, 1.0, kept.elements.amplitudes(kept.middle));
             (0..self.modes.cells()).map(move |cell| dot(self.modes.at(cell), &all))
         };
-        self.state.places.iter().flat_map(of_place).collect()
+        self.state.kept_elements.iter().flat_map(of_element).collect()
     }
 }

@@ -7,7 +7,7 @@ use super::parameters::Parameters;
 use super::untouched;
 use super::zones::Zone;
 use crate::contact::Wheel;
-use crate::heat_model::{HeatModel, Places};
+use crate::heat_model::{HeatModel, KeptSections};
 use crate::line::{Highest, Line, Stray};
 use crate::section::{Modes, dot};
 use crate::weather::Weather;
@@ -146,8 +146,8 @@ impl HeatModel for EnergyModel {
         }
     }
 
-    fn places(&self) -> Option<Places<'_>> {
-        self.kept_places()
+    fn kept_sections(&self) -> Option<KeptSections<'_>> {
+        self.kept_sections()
     }
 
     fn sections(&self, values: &mut [f32]) {

@@ -45,7 +45,7 @@ impl FieldFile {
         start_time: f64,
         model: &dyn HeatModel,
     ) -> (Self, Result<(), FieldError>) {
-        let of_sections = model.places().map_or(0, |p| p.chainages.len() * p.cells.len());
+        let of_sections = model.kept_sections().map_or(0, |p| p.chainages.len() * p.cells.len());
         let mut file = Self {
             sections: vec![0.0; of_sections],
             path: path.to_owned(),
@@ -115,13 +115,13 @@ impl FieldFile {
 /// Begins the store.
 fn begin(path: &Path, model: &dyn HeatModel) -> Result<FieldWriter, FieldError> {
     let line = model.line();
-    let places = model.places();
+    let kept = model.kept_sections();
     let axes = Axes {
-        sections: places.as_ref().map(|places| Sections {
-            chainage: places.chainages.clone(),
-            y: places.cells.iter().map(|cell| cell.middle.y).collect(),
-            z: places.cells.iter().map(|cell| cell.middle.z).collect(),
-            area: places.cells.iter().map(|cell| cell.area).collect(),
+        sections: kept.as_ref().map(|kept| Sections {
+            chainage: kept.chainages.clone(),
+            y: kept.cells.iter().map(|cell| cell.middle.y).collect(),
+            z: kept.cells.iter().map(|cell| cell.middle.z).collect(),
+            area: kept.cells.iter().map(|cell| cell.area).collect(),
         }),
         chainage: (0..line.elements).map(|element| line.chainage(element)).collect(),
         depth: model.depths(),
@@ -133,9 +133,9 @@ fn begin(path: &Path, model: &dyn HeatModel) -> Result<FieldWriter, FieldError> 
         ("element_length_m", Attribute::from(line.element_length)),
         ("cell_size_m", Attribute::from(2.0 * axes.depth[0])),
     ];
-    if let Some(places) = &places {
-        let field_side = if places.field_side_is_right { "right" } else { "left" };
-        attributes.push(("section_cell_width_m", Attribute::from(places.cell_width)));
+    if let Some(kept) = &kept {
+        let field_side = if kept.field_side_is_right { "right" } else { "left" };
+        attributes.push(("section_cell_width_m", Attribute::from(kept.cell_width)));
         attributes.push(("field_side", Attribute::from(field_side)));
     }
     FieldWriter::create(path, &axes, &attributes)

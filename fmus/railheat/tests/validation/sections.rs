@@ -34,7 +34,7 @@ fn after_train(parameters: Parameters, lateral: f64, is_right: bool, rest: u32) 
 }
 
 fn cells(model: &EnergyModel) -> Vec<Cell> {
-    model.places().unwrap().cells.to_vec()
+    model.kept_sections().unwrap().cells.to_vec()
 }
 
 /// Heat above the initial state by the section, J/m.
@@ -206,7 +206,7 @@ fn property_a_section_that_is_kept_changes_no_element() {
     let mut without = energy(base(), &[2, 2], &NIGHT);
     run(&mut without, &DAY, train(0.01), 0.0, 300, 0.01);
     run(&mut without, &DAY, |_| vec![Wheel::default(); 4], 3.0, 5, 1.0);
-    assert!(without.places().is_none());
+    assert!(without.kept_sections().is_none());
     for element in 0..200 {
         for level in 0..kept.levels() {
             assert_eq!(kept.rise(element, level), without.rise(element, level));

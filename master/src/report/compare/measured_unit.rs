@@ -28,8 +28,9 @@ const UNITS: [(&str, &str, f64, f64); 24] = [
     ("min", "s", 60.0, 0.0),
 ];
 
-/// Factor and offset that take a measured value into the SI unit `wanted`; none where the unit is another
-/// one. A value without a unit is in SI.
+/// Factor and offset that take a measured value into the SI unit `wanted`; none for another quantity.
+///
+/// A value without a unit is in SI.
 pub(super) fn conversion(measured: Option<&str>, wanted: &str) -> Option<(f64, f64)> {
     match measured {
         None => Some((1.0, 0.0)),

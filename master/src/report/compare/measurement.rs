@@ -189,7 +189,7 @@ fn check_mappings(
     for Mapping { column, signal } in &options.mappings {
         let is_there = rows.names().any(|own| own == column || name_and_unit(own).0 == column);
         if !is_there {
-            let meant = did_you_mean(column, rows.names());
+            let meant = did_you_mean(column, rows.names().map(|own| name_and_unit(own).0));
             let sentence = format!("--map {column}={signal}: there is no column {column}{meant}");
             return Err(rows.error_in_names(sentence));
         }

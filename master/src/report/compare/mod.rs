@@ -1,4 +1,4 @@
-//! Two or more runs beside each other: inputs that differ, errors of every column, and a page of curves.
+//! Runs beside each other: inputs that differ, errors of every column, and a page of curves.
 //!
 //! | file | part |
 //! |---|---|

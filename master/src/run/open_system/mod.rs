@@ -5,12 +5,15 @@
 //! | file | part |
 //! |---|---|
 //! | `mod.rs` | opened, stepped, saved and restored |
+//! | `error.rs` | why it cannot be opened or stepped |
 //! | `signal.rs` | variables by name: got and set |
 
+mod error;
 mod signal;
 
 use std::path::Path;
 
+pub use error::OpenSystemError;
 use signal::Signals;
 use tempfile::TempDir;
 
@@ -41,34 +44,6 @@ pub struct OpenSystem {
     signals: Signals,
     /// Where its FMUs are; it goes after the units.
     _folder: TempDir,
-}
-
-/// Why a system cannot be opened, or a step or a request failed.
-#[derive(Debug, thiserror::Error)]
-pub enum OpenSystemError {
-    /// It cannot be set up or initialised.
-    #[error(transparent)]
-    Run(#[from] RunError),
-    /// A unit failed in a step.
-    #[error("at {time} s: {source}")]
-    Step {
-        /// Time at which the step began, s.
-        time: f64,
-        /// Reason.
-        source: UnitError,
-    },
-    /// A unit refuses.
-    #[error(transparent)]
-    Unit(#[from] UnitError),
-    /// What is asked for is not there or cannot be, in a sentence.
-    #[error("{0}")]
-    Request(String),
-}
-
-impl From<FileError> for OpenSystemError {
-    fn from(error: FileError) -> Self {
-        RunError::from(error).into()
-    }
 }
 
 impl OpenSystem {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use files::did_you_mean;
 
-use super::OpenSystemError;
+use super::error::OpenSystemError;
 use crate::interface::VariableType;
 use crate::interface::range::Range;
 use crate::system::step::System;

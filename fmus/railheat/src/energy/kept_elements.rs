@@ -8,7 +8,7 @@ use super::followers::Followers;
 
 /// What a place has more than untouched rail.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Place {
+pub(super) struct KeptElement {
     /// The element of the rail with which the place's own begin.
     pub(super) first: usize,
     /// The place among its own elements.

@@ -1,7 +1,10 @@
 //! The book: the pages of `docs/SUMMARY.md` as a site in `target/book/html`.
 //!
 //! mdBook takes pages from one folder, while ours link to files all over the repository, and to `README.md`, whose
-//! pages it calls `index.html`. So it is given a copy in which both are so.
+//! pages it calls `index.html`. So it is given a copy in which both are so. The pages of `tables.rs`, which the
+//! program itself knows best, are made for it.
+
+mod tables;
 
 use std::path::{Component, Path, PathBuf};
 use std::process::Command;
@@ -24,10 +27,15 @@ pub fn build() -> Result<PathBuf> {
     if source.exists() {
         std::fs::remove_dir_all(&source)?;
     }
-    let tracked = output(Command::new("git").args(["ls-files", "-z", "--cached", "--others"]).arg("--exclude-standard"))?;
+    let tracked = output(
+        Command::new("git")
+            .args(["ls-files", "-z", "--cached", "--others"])
+            .arg("--exclude-standard"),
+    )?;
     for file in tracked.split_terminator('\0').map(Path::new).filter(|file| file.exists()) {
         copy(file, &source)?;
     }
+    tables::write(&source.join("docs/user-guide"))?;
     std::fs::copy("book.toml", folder.join("book.toml"))?;
     let html = folder.join("html");
     run(Command::new(mdbook).arg("build").arg("--dest-dir").arg(&html).arg(&folder))?;
@@ -96,16 +104,4 @@ fn plain(path: &Path) -> String {
         }
     }
     plain.display().to_string()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::at_root;
-
-    #[test]
-    fn links_of_a_page_at_the_root_lead_to_the_folders_of_the_repository() {
-        let page = "- [a](b/index.md#c) [d](../e.md) [f](https://g.h) [i](introduction.md) ![](j.svg)";
-        let expected = "- [a](docs/b/index.md#c) [d](e.md) [f](https://g.h) [i](introduction.md) ![](docs/j.svg)";
-        assert_eq!(at_root(page), expected);
-    }
 }
