@@ -92,7 +92,8 @@ def test_an_input_that_python_sets_is_in_force(scenario):
     for system in (plain, driven):
         system.step(200)
     assert driven["train.driver.notch"] == 0.0
-    assert driven["train.train.traction.force"] == 0.0 < plain["train.train.traction.force"]
+    # The traction falls as fast as its ramp lets it.
+    assert driven["train.train.traction.force"] < plain["train.train.traction.force"]
 
 
 def test_a_package_is_stepped_as_the_run_does(scenario, tmp_path):
@@ -156,7 +157,7 @@ def test_what_a_python_model_does_wrong_is_told_with_its_cause(scenario):
     with pytest.raises(ValueError, match="the step from 0 s has failed; restore a state"):
         system.step()
     for answer, sentence in [
-        ({"sync.force": float("nan")}, "sync.force = NaN.* is not a finite number"),
+        ({"sync.force": float("nan")}, r"not a finite number .*sync\.force = NaN"),
         ({"sync.forc": 1.0}, "no output of what it stands for; did you mean `sync.force`"),
         ({"sync.force": "much"}, "sync.force = much: no number"),
         (3.0, "it must answer a dict of its outputs, or None"),
