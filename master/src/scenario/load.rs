@@ -76,14 +76,7 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, check: &Check) -> Resul
         scenario.stock = default_stock(folder);
     }
     resolve(&mut scenario.stock, "stock")?;
-    for (i, group) in scenario.train.vehicles.iter_mut().enumerate() {
-        if let Some(name) = group.kind.strip_suffix(".toml") {
-            let name = Path::new(name).file_name().unwrap_or_default().display().to_string();
-            let key = format!("train.vehicles[{}].type", i + 1);
-            group.file = Some(there(folder, Path::new(&group.kind), &key, check)?);
-            group.kind = name;
-        }
-    }
+    resolve_vehicle_files(scenario, folder, check)?;
     check_types(scenario, check)?;
     resolve(&mut scenario.track.file, "track.file")?;
     resolve(&mut scenario.driver.file, "driver.file")?;
@@ -119,6 +112,27 @@ fn resolve_paths(scenario: &mut Scenario, folder: &Path, check: &Check) -> Resul
 fn default_stock(folder: &Path) -> PathBuf {
     let near = PathBuf::from("../../stock");
     if folder.join(&near).exists() { near } else { shipped::folder("stock") }
+}
+
+/// Makes the paths among the vehicle types files, and types of them that have the files' names.
+fn resolve_vehicle_files(
+    scenario: &mut Scenario,
+    folder: &Path,
+    check: &Check,
+) -> Result<(), Mistake> {
+    let library = scenario.stock.join("vehicles");
+    for (i, group) in scenario.train.vehicles.iter_mut().enumerate() {
+        let file = PathBuf::from(&group.kind);
+        // A name of the library with the ending of its file is a slip, which the check of the types answers.
+        let is_slip = library.join(&file).is_file() && !folder.join(&file).is_file();
+        if !group.kind.ends_with(".toml") || is_slip {
+            continue;
+        }
+        let key = format!("train.vehicles[{}].type", i + 1);
+        group.file = Some(there(folder, &file, &key, check)?);
+        group.kind = file.file_stem().unwrap_or_default().display().to_string();
+    }
+    Ok(())
 }
 
 /// The path of a file or folder that a key names, which must be there.
