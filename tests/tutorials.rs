@@ -1,20 +1,27 @@
 //! The tutorials of the book: each command is run, and prints what the page shows.
 //!
-//! `TRYCMD=overwrite cargo test --release -p hotfoot-tests tutorials` writes what the commands print now; `...`
-//! stands for lines and `[..]` for words that differ from run to run.
+//! In a page `...` stands for lines and `[..]` for words that differ from run to run.
 
 use std::path::PathBuf;
+use std::process::Command;
 
 use hotfoot_tests::{program, root};
 
 #[test]
 fn commands_of_the_tutorials_print_what_their_pages_show() {
+    // The commands write into the folders that they begin in.
+    let folder = tempfile::tempdir().unwrap();
+    let copied = Command::new("cp")
+        .args(["-r".into(), root().join("docs/tutorials"), folder.path().to_owned()])
+        .status();
+    assert!(copied.unwrap().success());
     let cases = trycmd::TestCases::new();
     cases.register_bin("hotfoot", program());
     for tool in ["cc", "mkdir", "mv", "python3"] {
         cases.register_bin(tool, on_the_path(tool));
     }
-    cases.case(root().join("docs/tutorials/*.md"));
+    cases.case(folder.path().join("tutorials/*.md"));
+    cases.run();
 }
 
 /// The path of a program that every machine with a compiler has.

@@ -29,6 +29,7 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result};
 use clap::{CommandFactory, Parser, Subcommand};
+use hotfoot::shipped;
 use tools::{ToolError, contact, creep, critical_speed, modes};
 
 use crate::fmu::{interface, pack};
@@ -174,10 +175,16 @@ fn carry_out(command: Command) -> Result<u8> {
             shells::completions(&arguments, &mut Arguments::command())
         }
         Command::Man { folder } => shells::man(&folder, Arguments::command()),
-        Command::Modes(arguments) => print(modes::modes(&arguments)),
+        Command::Modes(mut arguments) => {
+            arguments.vehicle.or_library(shipped::folder("stock"));
+            print(modes::modes(&arguments))
+        }
         Command::Contact(arguments) => print(contact::contact(&arguments)),
         Command::Creep(arguments) => print(creep::creep(&arguments)),
-        Command::CriticalSpeed(arguments) => print(critical_speed::critical_speed(&arguments)),
+        Command::CriticalSpeed(mut arguments) => {
+            arguments.vehicle.or_library(shipped::folder("stock"));
+            print(critical_speed::critical_speed(&arguments))
+        }
     };
     done.map(|()| 0)
 }

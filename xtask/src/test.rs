@@ -8,7 +8,7 @@ use anyhow::{Context, Result, anyhow};
 use crate::shell::{cargo, output, run, target};
 use crate::{book, fmus, package, python};
 
-/// Format, licences, FMUs and their model descriptions, the book, lints, documentation, Rust tests, FMPy tests.
+/// Format, licences, FMUs and their model descriptions, the book, lints, documentation, all tests.
 pub fn run_all() -> Result<()> {
     let mut stages = Stages::default();
     stages.run("format", || run(cargo().args(["fmt", "--all", "--check"])))?;

@@ -14,7 +14,8 @@ use crate::number::positive;
 #[derive(Args)]
 pub struct CriticalSpeedArguments {
     #[command(flatten)]
-    vehicle: VehicleArgument,
+    /// The vehicle.
+    pub vehicle: VehicleArgument,
     /// Equivalent conicities
     #[arg(long, value_delimiter = ',', value_parser = positive, default_values_t = [0.05, 0.10, 0.15, 0.20, 0.30])]
     conicity: Vec<f64>,

@@ -19,7 +19,8 @@ const LEAST_SHARE: f64 = 0.05;
 #[derive(Args)]
 pub struct ModesArguments {
     #[command(flatten)]
-    vehicle: VehicleArgument,
+    /// The vehicle.
+    pub vehicle: VehicleArgument,
     /// Dry friction sticks; otherwise surfaces slide without friction
     #[arg(long)]
     stick: bool,

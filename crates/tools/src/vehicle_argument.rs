@@ -13,12 +13,22 @@ use crate::error::ToolError;
 pub struct VehicleArgument {
     /// Vehicle: a name in the library, or a file that ends in .toml
     vehicle: PathBuf,
-    /// Rolling-stock library
-    #[arg(long, default_value = "stock")]
+    /// Rolling-stock library; left out: `stock` here, else the one that is shipped
+    #[arg(long, default_value = HERE)]
     stock: PathBuf,
 }
 
+/// The library where none is named.
+const HERE: &str = "stock";
+
 impl VehicleArgument {
+    /// Takes the shipped library where none is named and there is none here.
+    pub fn or_library(&mut self, shipped: PathBuf) {
+        if self.stock.as_os_str() == HERE && !self.stock.is_dir() {
+            self.stock = shipped;
+        }
+    }
+
     /// Reads and compiles the vehicle.
     ///
     /// # Errors

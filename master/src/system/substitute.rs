@@ -68,7 +68,7 @@ struct SubstituteUnit {
     names: [Vec<String>; 3],
     values: Vec<f64>,
     /// Where the value of each variable stands.
-    places: HashMap<(VariableType, u32), usize>,
+    indices: HashMap<(VariableType, u32), usize>,
 }
 
 /// The state of a substitute and its values.
@@ -95,11 +95,11 @@ impl SubstituteUnit {
         for variable in &numbers {
             names[group(&variable.causality)].push(variable.name.clone());
         }
-        let places = numbers.iter().zip(0..).map(|(v, place)| ((v.kind, v.reference), place));
+        let indices = numbers.iter().zip(0..).map(|(v, index)| ((v.kind, v.reference), index));
         Self {
             name: unit.name().to_owned(),
             source_file: format!("in place of {}", unit.source_file()),
-            places: places.collect(),
+            indices: indices.collect(),
             values: numbers.iter().map(|variable| start_value(variable)).collect(),
             interface: interface.clone(),
             program,
@@ -119,15 +119,15 @@ impl SubstituteUnit {
 
     fn set(&mut self, kind: VariableType, references: &[u32], values: impl Iterator<Item = f64>) {
         for (reference, value) in references.iter().zip(values) {
-            if let Some(&place) = self.places.get(&(kind, *reference)) {
-                self.values[place] = value;
+            if let Some(&index) = self.indices.get(&(kind, *reference)) {
+                self.values[index] = value;
             }
         }
     }
 
     fn get(&self, kind: VariableType, references: &[u32]) -> impl Iterator<Item = f64> {
         references.iter().map(move |reference| {
-            self.places.get(&(kind, *reference)).map_or(f64::NAN, |place| self.values[*place])
+            self.indices.get(&(kind, *reference)).map_or(f64::NAN, |index| self.values[*index])
         })
     }
 

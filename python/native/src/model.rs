@@ -76,7 +76,7 @@ impl Model {
         };
         for (name, value) in answer {
             let name: String = name.extract()?;
-            let Some(&place) = self.outputs.get(&name) else {
+            let Some(&index) = self.outputs.get(&name) else {
                 let meant = did_you_mean(&name, self.outputs.keys().map(String::as_str));
                 return Err(PyValueError::new_err(format!(
                     "the model has answered `{name}`, which is no output of what it stands for{meant}"
@@ -85,7 +85,7 @@ impl Model {
             let number = value.extract().map_err(|_| {
                 PyTypeError::new_err(format!("the model has answered {name} = {value}: no number"))
             })?;
-            outputs[place] = number;
+            outputs[index] = number;
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! Pages of tables: the keys of all files by their schemas, the signals of the models by their interfaces.
+//! Pages of tables: the keys of all files by their schemas, the signals by the interfaces.
 
 use std::fmt::Write as _;
 use std::path::Path;

@@ -14,6 +14,7 @@ const VEHICLE: &str = "
 extends = 'wagon-coco-134t-unpowered'
 without = ['multibody']
 mass_kg = 12000.0
+axles = 2
 [multibody]
 source = 'test'
 coupler.height_m = 0.9

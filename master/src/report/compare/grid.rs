@@ -22,12 +22,12 @@ pub(super) struct Grid {
     /// The times, s.
     pub time: Vec<f64>,
     /// Where these times lie among those of each curve.
-    places: [Vec<Place>; 2],
+    points: [Vec<Point>; 2],
 }
 
 /// A point of a curve: behind a value, by a part of the way to the next one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Place {
+struct Point {
     index: usize,
     part: f64,
 }
@@ -38,34 +38,34 @@ impl Grid {
         let shared = shared(first, other);
         let [in_first, in_other] = [within(first, other), within(other, first)];
         if !shared.is_empty() && shared.len() == in_first.len().min(in_other.len()) {
-            let place = |index| Place { index, part: 0.0 };
+            let point = |index| Point { index, part: 0.0 };
             return Self {
                 how: How::Shared,
                 time: shared.iter().map(|(index, _)| first[*index]).collect(),
-                places: [
-                    shared.iter().map(|(index, _)| place(*index)).collect(),
-                    shared.iter().map(|(_, index)| place(*index)).collect(),
+                points: [
+                    shared.iter().map(|(index, _)| point(*index)).collect(),
+                    shared.iter().map(|(_, index)| point(*index)).collect(),
                 ],
             };
         }
         let time = if in_first.len() <= in_other.len() { in_first } else { in_other };
-        let places = [first, other].map(|own| time.iter().map(|at| place(own, *at)).collect());
-        Self { how: How::Interpolated, time: time.to_vec(), places }
+        let points = [first, other].map(|own| time.iter().map(|at| point(own, *at)).collect());
+        Self { how: How::Interpolated, time: time.to_vec(), points }
     }
 
     /// The grid of these times themselves, with the other curve's interpolated.
     pub fn at(times: &[f64], other: &[f64]) -> Self {
-        let places = [times, other].map(|own| times.iter().map(|at| place(own, *at)).collect());
-        Self { how: How::Interpolated, time: times.to_vec(), places }
+        let points = [times, other].map(|own| times.iter().map(|at| point(own, *at)).collect());
+        Self { how: How::Interpolated, time: times.to_vec(), points }
     }
 
     /// The values of the first (0) or the other (1) curve at the times.
     pub fn values(&self, which: usize, values: &[f64]) -> Vec<f64> {
-        let at = |Place { index, part }: &Place| match values.get(index + 1) {
+        let at = |Point { index, part }: &Point| match values.get(index + 1) {
             Some(next) if *part > 0.0 => values[*index] + part * (next - values[*index]),
             _ => values.get(*index).copied().unwrap_or(f64::NAN),
         };
-        self.places[which].iter().map(at).collect()
+        self.points[which].iter().map(at).collect()
     }
 }
 
@@ -95,13 +95,13 @@ fn within<'t>(own: &'t [f64], other: &[f64]) -> &'t [f64] {
 }
 
 /// Where a time lies among rising times.
-fn place(times: &[f64], at: f64) -> Place {
+fn point(times: &[f64], at: f64) -> Point {
     let index = times.partition_point(|time| *time <= at).saturating_sub(1);
     let part = match (times.get(index), times.get(index + 1)) {
         (Some(from), Some(to)) if to > from => ((at - from) / (to - from)).clamp(0.0, 1.0),
         _ => 0.0,
     };
-    Place { index, part }
+    Point { index, part }
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ use crate::files::file_error::FileError;
 use crate::interface::Variable;
 use crate::scenario::Value;
 use crate::system::substitute::Substitutes;
-use crate::system::unit::{UnitError, terminate};
+use crate::system::unit::terminate;
 use crate::train::fmus::Folders;
 
 /// The parameter of a rail that names the file of its field.
