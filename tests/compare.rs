@@ -116,8 +116,8 @@ fn wrong_measurements(folder: &Path) {
         (&["m.csv", "--time", "Zeitt"], "there is no column Zeitt; did you mean `Zeit`?"),
         (&["m.csv", "--time", "Zeit"], "no column is a signal"),
         (
-            &["m.csv", "--time", "Zeit", "--map", "GSP=vehicles[1].velocity"],
-            "there is no column GSP; did you mean `GPS`?",
+            &["m.csv", "--time", "Zeit", "--map", "GPSS=vehicles[1].velocity"],
+            "there is no column GPSS; did you mean `GPS`?",
         ),
         (
             &["m.csv", "--time", "Zeit", "--map", "GPS=vehicles[1].velocty"],

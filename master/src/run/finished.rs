@@ -91,7 +91,7 @@ impl fmt::Display for Finished {
         let width =
             self.figures.iter().map(|figure| figure.name.chars().count()).max().unwrap_or(0);
         for MainFigure { name, text, location, .. } in &self.figures {
-            writeln!(f, "{name:<width$} {text:<14} {location}")?;
+            writeln!(f, "{}", format!("{name:<width$} {text:<14} {location}").trim_end())?;
         }
         for warning in &self.warnings {
             writeln!(f, "warning: {warning}")?;

@@ -19,6 +19,12 @@ const MDBOOK: &str = "0.5.4";
 /// The page that the book begins with; it stands at the root of the site.
 const FIRST_PAGE: &str = "docs/introduction.md";
 
+/// The line of the summary behind which the pages of tables stand.
+const BEFORE_TABLES: &str = "  - [The files of a train](docs/user-guide/train-files.md)\n";
+
+/// The pages of tables in the summary.
+const TABLES: &str = "  - [Keys of all files](docs/user-guide/keys.md)\n  - [Signals of the models](docs/user-guide/signals.md)\n";
+
 /// Builds the book and gives its folder.
 pub fn build() -> Result<PathBuf> {
     let mdbook = mdbook()?;
@@ -75,6 +81,7 @@ fn copy(file: &Path, source: &Path) -> Result<()> {
     let text = text.replace("README.md#", "index.md#");
     let is_at_root = target.parent() == Some(source);
     let text = if is_at_root && file.starts_with("docs") { at_root(&text) } else { text };
+    let text = text.replacen(BEFORE_TABLES, &format!("{BEFORE_TABLES}{TABLES}"), 1);
     Ok(std::fs::write(target, text)?)
 }
 
