@@ -13,7 +13,7 @@ pub const COLUMNS: &str = "columns.csv";
 
 /// Writes each table in the folder `series` as a CSV file into the folder `target`, anew.
 ///
-/// The first row has the names of the columns; units and descriptions are in the file [`COLUMNS`].
+/// The first row has the names of the columns; units and descriptions are in the file `columns.csv`.
 /// Numbers have all the digits that they have in the table.
 ///
 /// # Errors
@@ -41,10 +41,8 @@ fn copy(table: &SeriesReader, file: &Path) -> Result<(), RecordingError> {
     let names = table.columns().map(|column| column.name());
     output.write_record(names).map_err(RecordingError::csv(file))?;
     table.each_batch(|batch| {
-        let rows = (0..batch.num_rows()).map(|row| cells(batch, row));
-        rows.map(|row| output.write_record(row))
-            .collect::<Result<(), _>>()
-            .map_err(RecordingError::csv(file))
+        let mut rows = (0..batch.num_rows()).map(|row| cells(batch, row));
+        rows.try_for_each(|row| output.write_record(row)).map_err(RecordingError::csv(file))
     })?;
     output.flush().map_err(RecordingError::file(file))
 }

@@ -32,7 +32,7 @@ impl ChosenOutputs {
                 system.units().flat_map(|unit| default(unit, connected)).collect(),
             )));
         }
-        let outputs: Vec<Endpoint> = system.units().flat_map(|unit| endpoints(unit)).collect();
+        let outputs: Vec<Endpoint> = system.units().flat_map(endpoints).collect();
         let fits = |pattern: &str, output: &Endpoint| matches(pattern, &output.to_string());
         let lonely = patterns.iter().find(|p| !outputs.iter().any(|output| fits(p, output)));
         if let Some(pattern) = lonely {

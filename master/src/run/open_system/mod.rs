@@ -57,7 +57,7 @@ impl OpenSystem {
         mut substitutes: Substitutes,
     ) -> Result<Self, OpenSystemError> {
         let folder = tempfile::tempdir().map_err(FileError::at(path))?;
-        let workplace = Workplace::open(options.threads).map_err(RunError::from)?;
+        let workplace = Workplace::open(options.threads)?;
         let setup = workplace.pool.install(|| {
             let threads = workplace.threads;
             let mut setup = set_up(path, folder.path(), options, threads, &mut substitutes)?;
