@@ -72,12 +72,12 @@ def test_five_vehicles_for_60_s_equal_the_same_run_stepped_by_fmpy(tmp_path):
     compare(results, TYPES, by_fmpy(results, TYPES, 60.0, 0.1, wheels, rail), wheels)
 
 
-def test_the_papers_curve_with_130_vehicles_for_10_s_equals_the_same_run_stepped_by_fmpy(tmp_path):
+def test_the_papers_curve_with_130_vehicles_for_4_s_equals_the_same_run_stepped_by_fmpy(tmp_path):
     scenario = ROOT / "scenarios" / "curve-increasing-speed"
     results = tmp_path / "results"
-    hotfoot("run", scenario, "--duration", 10, "--quiet", "--results", results)
+    hotfoot("run", scenario, "--duration", 4, "--quiet", "--results", results)
     types = 2 * ["locomotive-coco-134t"] + 128 * ["wagon-coco-134t-unpowered"]
     wheels = [(1, "left"), (6, "right")]
     rail = {"track.begin": -2650.0, "track.length": 6800.0}
     rail |= {"solar.irradiance": 1366.0, "solar.filter": 0.5}
-    compare(results, types, by_fmpy(results, types, 10.0, 0.1, wheels, rail), wheels)
+    compare(results, types, by_fmpy(results, types, 4.0, 0.1, wheels, rail), wheels)
