@@ -6,6 +6,7 @@ use std::path::Path;
 use field::{Axes, FieldWriter, Sections};
 use track::SpeedLimit;
 
+use super::instrument::OF_TRAIN;
 use super::invented::{facts, write_run};
 use super::{RunFacts, TrackFacts, write};
 use crate::recording::{
@@ -17,18 +18,6 @@ const VEHICLES: usize = 130;
 /// As many as the longest curve of such a page has room for: of more records it shows fewer than all.
 const RECORDS: u32 = 350;
 const RECORDED: [usize; 5] = [1, 2, 3, 66, 130];
-
-/// What of the train's own outputs the page shows.
-const OF_TRAIN: [&str; 8] = [
-    "driver.in_force.notch",
-    "driver.in_force.dynamic_brake",
-    "driver.in_force.train_brake",
-    "driver.in_force.locomotive_brake",
-    "driver.target_speed",
-    "driver.measured_speed",
-    "train.coupler.tension",
-    "train.coupler.buff",
-];
 
 /// What is packed takes the same room whatever it is, so that a sine does for all.
 fn write_table(series: &Path, name: &str, keys: Vec<Key>, columns: Vec<Column>, rows: usize) {

@@ -38,6 +38,8 @@ use super::facts::TrackFacts;
 use super::results::Results;
 pub(super) use couplings::Residual;
 pub(super) use packed::Packed;
+#[cfg(test)]
+pub(super) use train::OF_TRAIN;
 
 /// All numbers of the linked view.
 #[derive(Debug, Clone, Serialize)]

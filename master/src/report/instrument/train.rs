@@ -11,7 +11,7 @@ use crate::report::facts::RunFacts;
 use crate::report::results::Results;
 
 /// What of the train's own outputs is shown, where it is there and not always zero.
-const OF_TRAIN: [&str; 8] = [
+pub(in crate::report) const OF_TRAIN: [&str; 8] = [
     "driver.in_force.notch",
     "driver.in_force.dynamic_brake",
     "driver.in_force.train_brake",
