@@ -1,5 +1,7 @@
 //! FMUs that end the process or never return, and ends that are no FMU's fault.
 
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::Instant;
 
@@ -32,7 +34,7 @@ fn assert_named(how: &str, further: &[&str], what: &str) {
         assert_eq!(output.status.code(), Some(1), "{place}: {said}");
         let (_, function) = called.rsplit_once(": ").unwrap();
         assert_says(&said, &["hostile.fmu", function, what]);
-        assert_eq!(package.left(), Vec::<std::path::PathBuf>::new(), "{place}");
+        assert_eq!(package.left(), Vec::<PathBuf>::new(), "{place}");
         match place {
             "AT_STEP" => {
                 assert_says(&said, &["at 0.05 s", "the results until then are in"]);
@@ -187,6 +189,47 @@ fn the_limit_of_memory_is_named() {
     let said = assert_ends_at_limit("BY_TAKING_MEMORY", "ulimit -v 2000000");
     assert_says(&said, &["hostile.fmu): fmi2DoStep crashed with abort (SIGABRT)"]);
     assert_says(&said, &["memory may have run out, of which it may have 2048 MB (ulimit -v)"]);
+}
+
+/// A container's limit of memory, by which the system itself kills; needs the right to make such a group.
+#[test]
+fn the_limit_of_memory_of_a_container_is_named() {
+    let Some(group) = MemoryGroup::of_bytes(400 << 20) else {
+        println!("skipped: no control group of memory can be made here");
+        return;
+    };
+    let enter = format!("echo $$ > {}", group.0.join("cgroup.procs").display());
+    let said = assert_ends_at_limit("BY_TAKING_MEMORY", &enter);
+    assert_says(&said, &["the system has killed the program (SIGKILL) because memory ran out"]);
+}
+
+/// A control group of Linux whose processes share so much memory, cgroups(7); removed at its end.
+struct MemoryGroup(PathBuf);
+
+impl MemoryGroup {
+    /// A group in the first hierarchy, of version 1 or 2, in which one can be made.
+    fn of_bytes(limit: usize) -> Option<Self> {
+        let name = format!("hotfoot-test-{}", std::process::id());
+        let hierarchies = [
+            ("/sys/fs/cgroup/memory", "memory.limit_in_bytes", ("memory.swappiness", "0")),
+            ("/sys/fs/cgroup", "memory.max", ("memory.swap.max", "0")),
+        ];
+        hierarchies.into_iter().find_map(|(root, key, (swap, none))| {
+            let group = Path::new(root).join(&name);
+            fs::create_dir(&group).ok()?;
+            let group = Self(group);
+            fs::write(group.0.join(key), limit.to_string()).ok()?;
+            // Where nothing is swapped there may be no such file.
+            let _ = fs::write(group.0.join(swap), none);
+            Some(group)
+        })
+    }
+}
+
+impl Drop for MemoryGroup {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir(&self.0);
+    }
 }
 
 /// A run whose FMU goes on at 0.05 s until a limit of the shell ends it; gives what is said.

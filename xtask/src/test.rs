@@ -29,25 +29,48 @@ pub fn run_all() -> Result<()> {
         package::stage()?;
         fmus::check_model_descriptions()
     })?;
-    stages.run("book", || book::build().map(drop))?;
-    stages.run("lints", || {
-        let lint = ["clippy", "--workspace", "--all-targets", "--release", "--", "-D", "warnings"];
-        run(cargo().args(lint))
+    // Tests wait for processes, limits and kills, so what only computes goes on beside them.
+    stages.run("Rust tests, with book, lints and documentation beside them", || {
+        std::thread::scope(|scope| {
+            let beside = scope.spawn(read_all);
+            let tested = timed("Rust tests", test);
+            let read = beside.join().map_err(|_| anyhow!("a check beside the tests panicked"))?;
+            tested.and(read)
+        })
     })?;
-    stages.run("documentation", || {
-        let docs = ["doc", "--workspace", "--no-deps", "--release", "--quiet"];
-        run(cargo().args(docs).env("RUSTDOCFLAGS", "-D warnings"))
-    })?;
-    stages.run("Rust tests", || {
-        // Many of them wait for a process, a limit or a kill, so two share a core.
-        let threads = 2 * std::thread::available_parallelism().map_or(1, usize::from);
-        let test = ["test", "--workspace", "--release"];
-        run(cargo().args(test).env("RUST_TEST_THREADS", threads.to_string()))
-    })?;
-    stages.run("FMPy tests", || {
+    stages.run("Python tests", || {
         run(Command::new(&python).args(["-m", "pytest", "-q", "-n", "auto", "tests/python"]))
     })?;
     stages.tell();
+    Ok(())
+}
+
+/// All tests in Rust.
+fn test() -> Result<()> {
+    // Many of them wait, so two share a core.
+    let threads = 2 * std::thread::available_parallelism().map_or(1, usize::from);
+    let test = ["test", "--workspace", "--release"];
+    run(cargo().args(test).env("RUST_TEST_THREADS", threads.to_string()))
+}
+
+/// All that reads the sources and runs nothing: book, lints, documentation.
+fn read_all() -> Result<()> {
+    timed("book", || book::build().map(drop))?;
+    timed("lints", || {
+        let lint = ["clippy", "--workspace", "--all-targets", "--release", "--quiet"];
+        run(cargo().args(lint).args(["--", "-D", "warnings"]))
+    })?;
+    timed("documentation", || {
+        let docs = ["doc", "--workspace", "--no-deps", "--release", "--quiet"];
+        run(cargo().args(docs).env("RUSTDOCFLAGS", "-D warnings"))
+    })
+}
+
+/// Runs a part of a stage and says how long it took by the clock.
+fn timed(part: &str, task: impl FnOnce() -> Result<()>) -> Result<()> {
+    let begin = Instant::now();
+    task().with_context(|| format!("'{part}' failed"))?;
+    println!("\n--- {part}: {:.0} s by the clock", begin.elapsed().as_secs_f64());
     Ok(())
 }
 
