@@ -87,9 +87,10 @@ pub fn kill_runs(kills: u32) -> Result<()> {
 }
 
 /// All at once, since the tests' dependencies give others more features: built one after the other,
-/// half of the workspace would be compiled twice.
+/// half of the workspace would be compiled twice. What each crate took stands in
+/// `target/cargo-timings`.
 fn build() -> Result<()> {
-    let targets = ["--lib", "--bins", "--tests"];
+    let targets = ["--lib", "--bins", "--tests", "--timings"];
     run(cargo().args(["build", "--release", "--workspace"]).args(targets))
 }
 

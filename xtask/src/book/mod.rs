@@ -56,7 +56,9 @@ fn mdbook() -> Result<PathBuf> {
     if !version.contains(MDBOOK) {
         let version = ["install", "mdbook", "--version", MDBOOK, "--locked", "--debug"];
         let library = ["--no-default-features", "--features", "search", "--force", "--quiet"];
-        run(cargo().args(version).args(library).arg("--root").arg(&tools))?;
+        let mut install = cargo();
+        install.args(version).args(library).arg("--root").arg(&tools);
+        run(install.env("CARGO_PROFILE_DEV_DEBUG", "false"))?;
     }
     Ok(program)
 }
