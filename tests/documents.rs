@@ -175,3 +175,38 @@ fn every_link_between_pages_leads_to_a_file() {
         }
     }
 }
+
+/// Paths in backticks, from the repository's root or beside the page; `NAME` and `*` stand for what a reader has.
+#[test]
+fn every_path_that_a_page_names_exists() {
+    const ROOMS: [&str; 10] = [
+        "cli",
+        "crates",
+        "docs",
+        "examples",
+        "fmus",
+        "master",
+        "python",
+        "scenarios",
+        "stock",
+        "xtask",
+    ];
+    let mut pages = vec![];
+    files(root(), &|path| path.extension().is_some_and(|e| e == "md"), &mut pages);
+    let mut wrong = vec![];
+    for page in pages {
+        let markdown = std::fs::read_to_string(&page).unwrap();
+        for name in markdown.split('`').skip(1).step_by(2) {
+            let is_path = name.split_once('/').is_some_and(|(room, _)| ROOMS.contains(&room));
+            let is_whole =
+                !name.contains([' ', '*', '<', '{', '\n', ':']) && !name.contains("NAME");
+            if is_path
+                && is_whole
+                && !(root().join(name).exists() || page.with_file_name(name).exists())
+            {
+                wrong.push(format!("{}: {name}", page.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

@@ -64,8 +64,8 @@ class Results:
 
     @property
     def warnings(self) -> list[str]:
-        """What the run has warned of, in sentences."""
-        return list(self.manifest.get("warnings", []))
+        """What the run of a train has warned of, in sentences, the reason of an early end among them."""
+        return list(self.manifest.get("run", {}).get("warnings", []))
 
     @property
     def scenario(self) -> dict[str, Any] | None:

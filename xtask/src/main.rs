@@ -9,6 +9,7 @@
 //! | `package.rs` | the Python package and its wheel |
 //! | `test.rs` | the whole test run, and checks that take longer |
 //! | `python.rs` | the Python environments: of the tests, which has libclang too, and of the wheel's tools |
+//! | `scenario_table.rs` | the runs of the paper's scenarios, and their table |
 //! | `shell.rs` | running commands |
 
 mod book;
@@ -17,6 +18,7 @@ mod foot_study;
 mod instructions;
 mod package;
 mod python;
+mod scenario_table;
 mod shell;
 mod test;
 
@@ -44,7 +46,7 @@ enum Task {
     Fmus,
     /// Write the published model descriptions anew
     ModelDescriptions,
-    /// Run the foot study (some minutes a scenario) and print its table
+    /// Run the foot study (some minutes a scenario) and print its table, and what is said beside it
     FootStudy {
         /// Folder of the results
         #[arg(default_value = "results/foot-study")]
@@ -55,6 +57,18 @@ enum Task {
         /// Write what the runs gave as their expected figures
         #[arg(long)]
         write_expected: bool,
+    },
+    /// Run the paper's four scenarios (some minutes each) and print the table of what was measured
+    ScenarioTable {
+        /// Folder in which each run has its results
+        #[arg(default_value = "results")]
+        results: PathBuf,
+        /// Take the results that are there
+        #[arg(long)]
+        table_only: bool,
+        /// Further arguments of `hotfoot run`, behind `--`
+        #[arg(last = true)]
+        arguments: Vec<String>,
     },
     /// Build the book in target/book/html
     Book,
@@ -94,14 +108,21 @@ fn main() -> Result<()> {
         }
         Task::FootStudy { results, table_only, write_expected } => {
             if !table_only {
-                fmus::build()?;
+                build_package()?;
                 foot_study::run_all(&results)?;
             }
             if write_expected {
                 foot_study::write_expected(&results)?;
             }
             print!("{}", foot_study::table(&results)?);
-            Ok(())
+            package::read_by("examples/read-results/foot_study.py", &results)
+        }
+        Task::ScenarioTable { results, table_only, arguments } => {
+            if !table_only {
+                build_package()?;
+                scenario_table::run_all(&results, &arguments)?;
+            }
+            scenario_table::print(&results)
         }
         Task::Book => {
             println!("{}", book::build()?.display());
@@ -121,12 +142,17 @@ fn main() -> Result<()> {
         }
         Task::CrashTest { kills } => test::kill_runs(kills),
         Task::Package => {
-            fmus::build()?;
-            shell::run(shell::cargo().args(["build", "--release", "-p", "hotfoot-python"]))?;
+            build_package()?;
             package::stage()
         }
         Task::Wheel => package::wheel().map(|_| ()),
         Task::WheelTest => package::test_wheel(),
         Task::Test => test::run_all(),
     }
+}
+
+/// Builds what the Python package holds.
+fn build_package() -> Result<()> {
+    fmus::build()?;
+    shell::run(shell::cargo().args(["build", "--release", "-p", "hotfoot-python"]))
 }

@@ -19,14 +19,23 @@ const GLIBC: &str = "2.28";
 const TOOLS: Environment =
     Environment { folder: "wheel-tools", requirements: "python/wheel/requirements.txt" };
 
-/// Folder in which the package lies as it is installed, for tests.
-pub fn staged() -> PathBuf {
+/// Folder in which the package lies as it is installed, for tests and scripts.
+fn staged() -> PathBuf {
     target().join("package")
 }
 
 /// Lays the package out from what `cargo build --release` and the packing of the FMUs have made.
 pub fn stage() -> Result<()> {
     lay_out(&target().join("release"), &target().join("fmus"), &staged())
+}
+
+/// Lays the package out, and calls a script that reads these results by it.
+pub fn read_by(script: &str, results: &Path) -> Result<()> {
+    stage()?;
+    run(Command::new(python::TESTS.interpreter()?)
+        .arg(script)
+        .arg(results)
+        .env("PYTHONPATH", staged()))
 }
 
 /// Builds the wheel into `target/wheel` and gives its path.
@@ -114,9 +123,10 @@ fn name_and_version() -> String {
     format!("hotfoot-{}", env!("CARGO_PKG_VERSION"))
 }
 
-/// The Pythons and machines that the wheel is for.
+/// The Pythons and machines that the wheel is for: from the Python of pyo3's feature `abi3-py311` on, the oldest
+/// that zarr 3 runs on, whose format the fields have.
 fn tag() -> String {
-    format!("cp39-abi3-manylinux_{}_x86_64", GLIBC.replace('.', "_"))
+    format!("cp311-abi3-manylinux_{}_x86_64", GLIBC.replace('.', "_"))
 }
 
 fn write(file: &Path, text: &str) -> Result<()> {
