@@ -2,10 +2,11 @@
 
 use files::Column;
 use longitudinal::driver::Driver;
+use railheat::Shape;
 use railheat::section::RailFile;
 use schemars::{Schema, schema_for};
 use serde_json::{Map, Value, json};
-use stock::{Library, Vehicle};
+use stock::{Consist, Library, Vehicle};
 use track::TrackFile;
 
 /// The JSON schema of track files.
@@ -26,6 +27,16 @@ pub fn draft_gear() -> Schema {
 /// The JSON schema of rail files.
 pub fn rail() -> Schema {
     schema_for!(RailFile)
+}
+
+/// The JSON schema of consist files, which the resources of the train's FMU have.
+pub fn consist() -> Schema {
+    Consist::schema()
+}
+
+/// The JSON schema of `railheat.toml`, which the resources of the rail's FMU have.
+pub fn rail_heat() -> Schema {
+    Shape::schema()
 }
 
 /// The JSON schema of vehicle files.
@@ -73,6 +84,34 @@ pub fn irregularity() -> Value {
     columns(&track::irregularity::COLUMNS)
 }
 
+/// What stands in a line of a profile of a wheel or rail, whose columns have no names in the file.
+const POINT: [Column; 2] = [
+    Column {
+        name: "lateral",
+        unit: "mm",
+        required: true,
+        bounds: Some([-200.0, 200.0]),
+        description: "To the field side, from the running circle of a wheel or the middle of a rail",
+    },
+    Column {
+        name: "height",
+        unit: "mm",
+        required: true,
+        bounds: Some([-200.0, 200.0]),
+        description: "Downwards",
+    },
+];
+
+/// The columns of a profile.
+pub fn profile() -> Value {
+    let mut table = columns(&POINT);
+    table["description"] = "A point on each line, its two numbers parted by blanks, commas or semicolons, without a \
+                            line of names; lines that begin with #, % or ! are comments. Files of CONTACT and SIMPACK \
+                            (.prw, .prr) are read with what their header says."
+        .into();
+    table
+}
+
 fn columns(columns: &[Column]) -> Value {
     json!({ "fields": columns.iter().map(field).collect::<Vec<_>>() })
 }
@@ -98,7 +137,7 @@ mod tests {
 
     #[test]
     fn columns_say_name_unit_bounds_and_meaning() {
-        for table in [weather(), logger(), irregularity()] {
+        for table in [weather(), logger(), irregularity(), profile()] {
             let fields = table["fields"].as_array().unwrap();
             assert!(fields.iter().any(|field| field["constraints"]["required"] == true));
             assert!(fields.iter().all(|field| field["unit"].is_string()));
@@ -118,10 +157,13 @@ mod tests {
             ("vehicle", vehicle()),
             ("gear", draft_gear()),
             ("rail", rail()),
+            ("consist", consist()),
+            ("rail heat", rail_heat()),
         ] {
             let value = schema.as_value();
             assert_eq!(value["additionalProperties"], false, "{kind}");
-            assert!(value["properties"].as_object().unwrap().len() > 5, "{kind}");
+            let keys = value["properties"].as_object().unwrap();
+            assert!(keys.values().all(|key| key["description"].is_string()), "{kind}");
         }
         let track = track();
         let alignment = &track.as_value()["properties"]["alignment"];
