@@ -11,6 +11,7 @@
 //! | `rolling_stock/` | `hotfoot stock`: the rolling-stock library as a list |
 //! | `schema.rs` | `hotfoot schema`: what may stand in the files of a train |
 //! | `train_files.rs` | the files of a train, read as the models read them |
+//! | `standing.rs` | whether vehicles stand on both rails where a train starts |
 //! | `plot.rs` | the page of curves that the two draw with `--plot` |
 //! | `vehicle_argument.rs`, `number.rs` | the vehicle that a command is about, and the numbers of options |
 //! | `error.rs` | why a command cannot answer |
@@ -26,6 +27,7 @@ pub mod number;
 mod plot;
 pub mod rolling_stock;
 pub mod schema;
+pub mod standing;
 pub mod train_files;
 mod vehicle_argument;
 

@@ -59,7 +59,8 @@ impl TrainFiles<'_> {
         let mut notes = vec![];
         if driver.pulls() && !has_traction {
             notes.push(format!(
-                "{file}: the throttle does nothing, since no vehicle has [traction]"
+                "{file}: the throttle does nothing, since no vehicle has [traction]; a locomotive has it, as those that \
+                 `hotfoot stock list` shows"
             ));
         }
         if let Some(end) = driver.recorded_time().filter(|end| *end < duration) {
