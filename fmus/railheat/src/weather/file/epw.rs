@@ -54,6 +54,9 @@ const DIRECT_NORMAL: usize = 14;
 const DIFFUSE_HORIZONTAL: usize = 15;
 const WIND_SPEED: usize = 21;
 
+/// What stands for an irradiance that is missing, W/m².
+const MISSING: f64 = 9999.0;
+
 /// Month, day and hour that begins, from 1, 1 and 0.
 type Key = [u32; 3];
 
@@ -87,18 +90,18 @@ impl Year {
             let sentence = format!("has no rows below its header of {HEADER} lines");
             return Err(Mistake::in_file(document.name(), sentence));
         }
-        let all_have = |column: &Column, i: usize| {
-            (0..table.len()).all(|row| column.value(&table, row, i).is_ok())
-        };
-        let has_parts = all_have(&DIRECT, DIRECT_NORMAL) && all_have(&DIFFUSE, DIFFUSE_HORIZONTAL);
+        let all = |holds: &dyn Fn(usize) -> bool| (0..table.len()).all(holds);
+        let is_given =
+            |i: usize| all(&|row| table.number(row, i).is_ok_and(|value| value < MISSING));
         // Some files have zeros where they do not know what of the sunlight is direct.
-        let is_overcast = (0..table.len()).all(|row| table.number(row, DIRECT_NORMAL) == Ok(0.0));
-        let has_global = (!has_parts || is_overcast) && all_have(&GLOBAL, GLOBAL_HORIZONTAL);
-        let has_sky = all_have(&SKY, SKY_RADIATION);
+        let is_overcast = all(&|row| table.number(row, DIRECT_NORMAL) == Ok(0.0));
+        let has_parts = is_given(DIRECT_NORMAL) && is_given(DIFFUSE_HORIZONTAL) && !is_overcast;
+        let has_global = !has_parts && is_given(GLOBAL_HORIZONTAL);
+        let has_sky = all(&|row| SKY.value(&table, row, SKY_RADIATION).is_ok());
         let mut hours = BTreeMap::new();
         for row in 0..table.len() {
             let light = match has_global {
-                true => [table.number(row, GLOBAL_HORIZONTAL)?, 0.0],
+                true => [value(&GLOBAL, &table, row, GLOBAL_HORIZONTAL)?, 0.0],
                 false => [
                     value(&DIRECT, &table, row, DIRECT_NORMAL)?,
                     value(&DIFFUSE, &table, row, DIFFUSE_HORIZONTAL)?,
@@ -187,7 +190,7 @@ mod tests {
     use crate::weather::{Ephemeris, Weather, WeatherFile, split};
 
     /// Two days of a typical year, one of 2007 and one of 2011: each hour has its number as temperature, ten
-    /// times it as diffuse irradiance and a hundred times it as direct one.
+    /// times it as diffuse irradiance and eighty times it as direct one.
     fn two_days() -> String {
         let mut text = "LOCATION,Rockhampton,QLD,AUS,made up,943740,-23.38,150.48,10.0,14.0\n\
                         DESIGN CONDITIONS,0\nTYPICAL/EXTREME PERIODS,0\nGROUND TEMPERATURES,0\n\
@@ -201,7 +204,7 @@ mod tests {
                     "{year},{month},{day},{hour},60,?9,{hour}.0,5.0,60,101300,0,0,300,{},{},{light},0,0,0,0,90,2.5,\
                      5,5,20\n",
                     5 * light,
-                    10 * light
+                    8 * light
                 );
             }
         }
@@ -223,11 +226,11 @@ mod tests {
         let file = read(&two_days()).unwrap();
         let weather = at(&file, "2018-06-30T12:00:00+10:00", 0.0);
         assert_eq!(weather.ambient, 273.15 + 12.0);
-        assert_eq!((weather.direct, weather.diffuse), (1250.0, 125.0));
+        assert_eq!((weather.direct, weather.diffuse), (1000.0, 125.0));
         assert_eq!((weather.wind, weather.sky), (2.5, Some(300.0)));
         let later = at(&file, "2018-06-30T12:00:00+10:00", 1800.0);
         assert_eq!(later.ambient, 273.15 + 12.5);
-        assert_eq!((later.direct, later.diffuse), (1300.0, 130.0));
+        assert_eq!((later.direct, later.diffuse), (1040.0, 130.0));
         assert!(later.sun.elevation > 0.6 && !file.has_sun());
     }
 
@@ -246,7 +249,7 @@ mod tests {
 
     #[test]
     fn global_irradiance_is_split_where_a_row_has_no_other() {
-        let whole = two_days().replace(",500,1000,100,", ",500,9999,9999,");
+        let whole = two_days().replace(",500,800,100,", ",500,9999,9999,");
         let file = read(&whole).unwrap();
         let weather = at(&file, "2018-06-30T09:30:00+10:00", 0.0);
         let [latitude, longitude] = file.site().unwrap();
@@ -281,10 +284,10 @@ mod tests {
             (
                 ",12,60,?9,12.0,",
                 ",12,60,?9,99.9,",
-                "EPW:20:18: Dry Bulb Temperature = 99.9: must lie",
+                "EPW:20:20: Dry Bulb Temperature = 99.9: must lie",
             ),
             ("DATA PERIODS,1,1,", "DATA PERIODS,1,4,", "EPW:8:16: rows an hour = 4: must be 1"),
-            ("-23.38", "-233.8", "EPW:1:50: latitude = -233.8: must lie between -90 and 90 °"),
+            ("-23.38", "-233.8", "EPW:1:45: latitude = -233.8: must lie between -90 and 90 °"),
             ("LOCATION,", "PLACE,", "EPW:1:1: must begin with the line LOCATION"),
             (",6,30,", ",7,1,", "EPW:33:10: Hour = 1: is there before for this month and day"),
         ] {
