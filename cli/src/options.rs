@@ -9,8 +9,8 @@ use hotfoot::shipped;
 /// Keys of the scenario that the command line sets.
 #[derive(Args)]
 pub struct Settings {
-    /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
-    /// than once
+    /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20;
+    /// can be given more than once
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub settings: Vec<Setting>,
 }

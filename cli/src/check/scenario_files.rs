@@ -2,8 +2,7 @@
 
 use files::Mistake;
 use hotfoot::scenario::{Scenario, Value, quoted};
-use tools::standing::Start;
-use tools::train_files::{TrainFiles, check_rail, check_weather};
+use tools::train_files::{Start, TrainFiles, check_rail, check_weather};
 
 /// The parameter of a rail that names the file of the weather.
 const WEATHER: &str = "weather_file";

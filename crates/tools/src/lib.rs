@@ -10,8 +10,7 @@
 //! | `critical_speed.rs` | `hotfoot critical-speed`: the speed at which it becomes unstable |
 //! | `rolling_stock/` | `hotfoot stock`: the rolling-stock library as a list |
 //! | `schema.rs` | `hotfoot schema`: what may stand in the files of a train |
-//! | `train_files.rs` | the files of a train, read as the models read them |
-//! | `standing.rs` | whether vehicles stand on both rails where a train starts |
+//! | `train_files/` | the files of a train, read as the models read them |
 //! | `plot.rs` | the page of curves that the two draw with `--plot` |
 //! | `vehicle_argument.rs`, `number.rs` | the vehicle that a command is about, and the numbers of options |
 //! | `error.rs` | why a command cannot answer |
@@ -27,7 +26,6 @@ pub mod number;
 mod plot;
 pub mod rolling_stock;
 pub mod schema;
-pub mod standing;
 pub mod train_files;
 mod vehicle_argument;
 

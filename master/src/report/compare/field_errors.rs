@@ -7,9 +7,9 @@ use super::errors::difference;
 use super::texts::{percent, shown};
 use crate::report::quantity::seconds;
 
-/// How far a variable of a field is from that of another run, over the snapshots of times that both have.
+/// How far a variable of a field is from that of another run.
 ///
-/// A difference is the other's value less the first's, in K. What is infinite is `null` in JSON.
+/// It is over the snapshots of times that both have. A difference is the other's value less the first's, in K. What is infinite is `null` in JSON.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FieldErrors {
     /// Name of the field, such as `rail.zarr`.

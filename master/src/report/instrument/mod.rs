@@ -111,7 +111,8 @@ impl Instrument {
                     None
                 });
                 if let Some(field) = &field {
-                    sections_elsewhere.extend(sections::elsewhere(rail, field));
+                    let elsewhere = sections::elsewhere(rail, &field.probes, field.element_length);
+                    sections_elsewhere.extend(elsewhere);
                 }
                 of_rails.push(rail::Rail::of(rail, field));
             }

@@ -5,7 +5,6 @@ use serde::Serialize;
 
 use super::decimate::Picks;
 use super::packed::{Packed, PackedRows};
-use super::rail::Field;
 use crate::report::data::RailData;
 
 /// Numbers that the sections of all rails may take.
@@ -64,13 +63,13 @@ impl Sections {
 }
 
 /// Says where the sections are, and how one comes to where the foot is warmest, if none was kept there.
-pub(super) fn elsewhere(rail: &RailData, field: &Field) -> Option<String> {
+pub(super) fn elsewhere(rail: &RailData, probes: &[f64], element_length: f64) -> Option<String> {
     let key = format!("{}.foot.highest", rail.side);
     let warmest = rail.figures.iter().find(|figure| figure.key == key)?.chainage_m?;
-    if field.probes.iter().any(|probe| (probe - warmest).abs() <= field.element_length) {
+    if probes.iter().any(|probe| (probe - warmest).abs() <= element_length) {
         return None;
     }
-    let probes: Vec<String> = field.probes.iter().map(|probe| format!("{probe:.1} m")).collect();
+    let probes: Vec<String> = probes.iter().map(|probe| format!("{probe:.1} m")).collect();
     let kept = match probes.as_slice() {
         [] => "no section was kept".to_owned(),
         _ => format!("sections were kept at {} only", probes.join(", ")),

@@ -16,7 +16,7 @@ use files::{Column, Document, Mistake, Table};
 
 use super::columns::{AIR, DIFFUSE, DIRECT, GLOBAL, SKY, WIND};
 use super::epw_header::{HEADER, check_periods, location};
-use super::{Sample, Sunlight, between};
+use super::sample::{Sample, Sunlight, between};
 use crate::weather::sun::Sun;
 
 /// Columns of the hours, as far as they are read.

@@ -1,4 +1,4 @@
-//! The lines above the hours of a weather file of EnergyPlus: where it is of, and how many rows an hour has.
+//! The lines above the hours of a weather file of EnergyPlus: where it is of, and rows an hour.
 
 use chrono::TimeDelta;
 use files::{Document, Mistake, Table};

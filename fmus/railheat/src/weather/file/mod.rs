@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `rows.rs` | CSV with the times of the simulation, linear between its rows |
 //! | `epw.rs`, `epw_header.rs` | weather files of EnergyPlus, the hours of a typical year |
+//! | `sample.rs` | what a file says of a time |
 //! | `columns.rs` | the columns, and what is possible in them |
 //! | `error.rs` | why a file cannot be used |
 //!
@@ -14,6 +15,7 @@ mod epw;
 mod epw_header;
 mod error;
 mod rows;
+mod sample;
 
 use std::path::Path;
 
@@ -23,13 +25,13 @@ use numerics::constants::ZERO_CELSIUS;
 use super::conditions::Weather;
 use super::ephemeris::Ephemeris;
 use super::erbs::split;
-use super::sun::Sun;
 
 pub use columns::COLUMNS;
 pub use error::WeatherFileError;
 
 use epw::Year;
 use rows::Rows;
+use sample::{Sample, Sunlight};
 
 /// A file of weather.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,26 +46,6 @@ enum Content {
     Year(Year),
 }
 
-/// What a file says of a time.
-struct Sample {
-    /// Temperature of the air, °C.
-    air: f64,
-    /// Speed of the wind, m/s.
-    wind: f64,
-    light: Sunlight,
-    /// Thermal radiation of the sky on a horizontal surface, W/m².
-    sky: Option<f64>,
-    sun: Sun,
-}
-
-/// Irradiances, W/m².
-enum Sunlight {
-    /// On a surface that faces the sun, and from the sky on a horizontal one.
-    Parts([f64; 2]),
-    /// On a horizontal surface from both.
-    Global(f64),
-}
-
 impl WeatherFile {
     /// Reads a file: of EnergyPlus where its name ends in `.epw`, else CSV.
     ///
@@ -73,7 +55,7 @@ impl WeatherFile {
         Self::of(&Document::read(path)?)
     }
 
-    /// Reads the text of a file; its name stands in the error messages, and says by its end what file it is.
+    /// Reads the text of a file, whose name says by its end what file it is.
     ///
     /// # Errors
     /// When it has a gap or an absurd value.
@@ -139,9 +121,4 @@ impl WeatherFile {
     fn needs_date(&self) -> WeatherFileError {
         WeatherFileError::NeedsDate { file: self.name.clone() }
     }
-}
-
-/// The value between two at a share of the way.
-fn between([from, to]: [f64; 2], share: f64) -> f64 {
-    from + share * (to - from)
 }

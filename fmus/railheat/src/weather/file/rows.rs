@@ -15,7 +15,7 @@
 use files::{Column, Document, Mistake, Table};
 
 use super::columns::{AIR, DIFFUSE, DIRECT, GLOBAL, SUN_AZIMUTH, SUN_ELEVATION, TIME, WIND};
-use super::{Sample, Sunlight, between};
+use super::sample::{Sample, Sunlight, between};
 use crate::weather::sun::Sun;
 
 /// Longest time between two rows, s: beyond it weather cannot be called known.

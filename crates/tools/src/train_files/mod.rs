@@ -1,4 +1,8 @@
 //! The files of a train and its line, read and checked by the models that a run gives them to.
+//!
+//! `standing.rs` says whether its vehicles stand on both rails where it starts.
+
+mod standing;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -9,6 +13,8 @@ use railheat::section::RailFile;
 use railheat::weather::WeatherFile;
 use stock::Library;
 use track::TrackFile;
+
+pub use standing::Start;
 
 /// The files of a train and its line.
 #[derive(Debug)]
