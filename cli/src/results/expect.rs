@@ -45,8 +45,8 @@ pub fn expect(arguments: &ExpectArguments) -> Result<u8> {
         print_json(&Report { ok: differ == 0, figures: &figures })?;
         return Ok(u8::from(differ > 0));
     }
-    let shown = figures.iter().filter(|figure| !figure.agrees || !arguments.quiet.quiet);
-    shown.map(print).collect::<Result<()>>()?;
+    let mut shown = figures.iter().filter(|figure| !figure.agrees || !arguments.quiet.quiet);
+    shown.try_for_each(print)?;
     match differ {
         0 => Ok(0),
         count => bail!("{count} of {} figures differ", figures.len()),
