@@ -100,6 +100,44 @@ fn runs_are_compared_with_each_other_and_with_a_measurement() {
     wrong_measurements(folder);
 }
 
+/// Two speeds on one rail, and the second on a shorter one, whose elements are others.
+#[test]
+fn fields_of_rails_are_compared_where_their_grids_are_the_same() {
+    let keys = "field_interval_s = 0.5\nprobe = [{ chainage_m = 8.0 }]";
+    let scenario = SmallScenario::heating_a_short_rail(1.0, keys, "");
+    let run = |results: &str, setting: &str| {
+        let arguments = ["run", "scenario.toml", "--quiet", "--results", results, "--set", setting];
+        let output = scenario.hotfoot(&arguments);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    };
+    run("a", "train.speed_m_per_s=16");
+    run("b", "train.speed_m_per_s=18");
+    run("shorter", "heat.length_m=50");
+    let folder = scenario.folder.path();
+    let compare = |other: &str, more: &[&str]| {
+        hotfoot(folder, &[&["compare", "a", other][..], more].concat())
+    };
+    let other = json(&compare("b", &["--json"]));
+    let fields = other["compared"][0]["fields"].as_array().unwrap();
+    let variables: Vec<&str> = fields.iter().map(|f| f["variable"].as_str().unwrap()).collect();
+    assert_eq!(variables, ["temperature_rise", "section_rise"]);
+    let [rise, section] = [&fields[0], &fields[1]];
+    assert!(rise["max_abs"].as_f64().unwrap() > 1e-3, "{rise}");
+    assert!(rise["rms"].as_f64().unwrap() < rise["max_abs"].as_f64().unwrap(), "{rise}");
+    assert_eq!((rise["count"].as_u64(), rise["at_s"].as_f64()), (Some(3), Some(1.0)));
+    assert!((section["chainage_m"].as_f64().unwrap() - 8.0).abs() < 0.5, "{section}");
+    let shown = text(&compare("b", &["--output", "fields.html"]));
+    assert!(shown.contains("rail.zarr temperature_rise: largest"), "{shown}");
+    let page = std::fs::read_to_string(folder.join("fields.html")).unwrap();
+    assert!(page.contains("Fields of the rails") && page.contains("rail.zarr section_rise"));
+    let same = text(&compare("a", &[]));
+    assert!(same.contains("rail.zarr section_rise: no difference, in 3 snapshots"), "{same}");
+    let shorter = json(&compare("shorter", &["--json"]));
+    let sentence = shorter["compared"][0]["fields_not_compared"][0].as_str().unwrap();
+    assert!(sentence.starts_with("rail.zarr is not compared: the grids differ, "), "{sentence}");
+    assert!(sentence.contains("heat.length_m"), "{sentence}");
+}
+
 fn wrong_measurements(folder: &Path) {
     let refused = |arguments: &[&str]| {
         let output = hotfoot(folder, &[&["compare", "a"][..], arguments].concat());

@@ -31,7 +31,7 @@ Examples:
 pub const EXPORT_SSP: &str = "\
 Examples:
   hotfoot export-ssp scenarios/curve-increasing-speed --output train.ssp
-  hotfoot export-ssp scenarios/first-look --set duration_s=60";
+  hotfoot export-ssp scenarios/first-look --set duration_s=60 --quiet";
 
 /// Of `hotfoot check`.
 pub const CHECK: &str = "\
@@ -89,7 +89,8 @@ Examples:
 /// Of `hotfoot expect`.
 pub const EXPECT: &str = "\
 Examples:
-  hotfoot expect results/foot-study/r800 scenarios/foot-study/expected/r800.toml";
+  hotfoot expect results/foot-study/r800 scenarios/foot-study/expected/r800.toml
+  hotfoot expect results/acceptance-sine scenarios/acceptance-sine/expected.toml --json";
 
 /// Of `hotfoot compare`.
 pub const COMPARE: &str = "\

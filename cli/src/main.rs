@@ -10,6 +10,7 @@
 //! | `reference/` | `stock`, `schema`, `completions`, `man` |
 //! | `supervise/` | a command in a child process, which an FMU may crash |
 //! | `examples.rs` | the examples in their help |
+//! | `options.rs` | the options that several commands have |
 //! | `output.rs` | what is printed, and the message of an error |
 //!
 //! `modes`, `contact`, `creep` and `critical-speed` stand in the library `tools` (`crates/tools`).
@@ -17,6 +18,7 @@
 mod check;
 mod examples;
 mod fmu;
+mod options;
 mod output;
 mod reference;
 mod results;
@@ -35,7 +37,7 @@ use tools::{ToolError, contact, creep, critical_speed, modes};
 use crate::fmu::{interface, pack};
 use crate::output::{Reported, is_closed_pipe, message, tell};
 use crate::reference::{schema, shells, stock};
-use crate::results::{compare, report};
+use crate::results::{compare, expect, report};
 use crate::scenario::{export_ssp, new, wiring};
 use crate::supervise::child;
 
@@ -63,13 +65,7 @@ enum Command {
     Wiring(wiring::WiringArguments),
     /// Make the report of a results folder again
     #[command(after_help = examples::REPORT)]
-    Report {
-        /// Folder that a run has written
-        results: PathBuf,
-        /// Also write each table as a CSV file into the folder `csv` of the results
-        #[arg(long)]
-        csv: bool,
-    },
+    Report(report::ReportArguments),
     /// List the rolling stock that is shipped, show the figures of an entry, or where they are from
     #[command(after_help = examples::STOCK)]
     Stock(stock::StockArguments),
@@ -78,12 +74,7 @@ enum Command {
     Compare(compare::CompareArguments),
     /// Compare the figures of a run with those expected of its scenario
     #[command(after_help = examples::EXPECT)]
-    Expect {
-        /// Folder that a run has written
-        results: PathBuf,
-        /// File of expected figures, such as `expected.toml` beside the scenario
-        expected: PathBuf,
-    },
+    Expect(expect::ExpectArguments),
     /// Check a scenario with all its files, or an FMU against FMI 2.0, for a role and its reference result
     #[command(after_help = examples::CHECK)]
     Check(check::CheckArguments),
@@ -163,12 +154,12 @@ fn carry_out(command: Command) -> Result<u8> {
         Command::ExportSsp(arguments) => return export_ssp::export_ssp(&arguments),
         Command::Wiring(arguments) => return wiring::print(&arguments),
         Command::Check(arguments) => return check::check(&arguments),
+        Command::Expect(arguments) => return expect::expect(&arguments),
         Command::Pack(arguments) => return pack::pack(&arguments),
         Command::Stock(arguments) => stock::stock(&arguments),
         Command::Compare(arguments) => return compare::compare(&arguments),
         Command::New(arguments) => new::new(&arguments),
-        Command::Report { results, csv } => report::report(&results, csv),
-        Command::Expect { results, expected } => report::expect(&results, &expected),
+        Command::Report(arguments) => report::report(&arguments),
         Command::Interface(arguments) => interface::interface(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
         Command::Completions(arguments) => {

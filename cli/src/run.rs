@@ -14,6 +14,7 @@ use hotfoot::shipped;
 use tools::number::{count, positive};
 
 use crate::check::scenario_files;
+use crate::options::{Fmus, Settings};
 use crate::output::{self, tell};
 use crate::results::report::write_csv;
 use crate::supervise::child::{self, Child};
@@ -46,13 +47,10 @@ pub struct RunArguments {
     /// Replace the results of an earlier run in that folder
     #[arg(long)]
     overwrite: bool,
-    /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
-    #[arg(long)]
-    fmus: Option<PathBuf>,
-    /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
-    /// than once
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    settings: Vec<Setting>,
+    #[command(flatten)]
+    fmus: Fmus,
+    #[command(flatten)]
+    settings: Settings,
     /// Simulated time in place of the scenario's or package's, s
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     duration: Option<f64>,
@@ -128,7 +126,7 @@ impl RunArguments {
 
     /// The values of the scenario's keys, of which the outputs that are recorded are one.
     fn settings(&self) -> Result<Vec<Setting>> {
-        let mut settings = self.settings.clone();
+        let mut settings = self.settings.settings.clone();
         if !self.record.is_empty() && !is_system(self.scenario()) {
             let outputs = format!("record.outputs={:?}", self.record);
             settings.push(outputs.parse().map_err(Error::msg)?);
@@ -214,7 +212,7 @@ fn complete_results(claim: Claim, blame: &Blame, records: u64) -> Result<u8> {
 fn run_here(arguments: &RunArguments, child: &Child) -> Result<u8> {
     let options = Options {
         threads: arguments.threads,
-        fmus: arguments.fmus.clone().unwrap_or_else(default_fmus),
+        fmus: arguments.fmus.folder(),
         settings: arguments.settings()?,
         record: match is_system(arguments.scenario()) {
             true => arguments.record.clone(),
@@ -270,11 +268,6 @@ fn note_files(arguments: &RunArguments) -> Result<()> {
         tell(format_args!("note: {note}"));
     }
     Ok(())
-}
-
-/// The shipped FMUs: `target/fmus` for `target/release/hotfoot`.
-pub fn default_fmus() -> PathBuf {
-    shipped::folder("fmus")
 }
 
 /// Takes the path of a scenario, or the name of a shipped one.

@@ -15,14 +15,14 @@ use std::path::{Path, PathBuf};
 use answer::{Answer, Problems};
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
-use files::Setting;
 use hotfoot::Import;
 use hotfoot::check::reference::{self, Verdict};
 use hotfoot::check::{self, Finding, Severity, rules};
 use hotfoot::roles;
 
+use crate::options::{Fmus, Quiet, Settings};
 use crate::output::print;
-use crate::run::{default_fmus, scenario_path};
+use crate::run::scenario_path;
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
@@ -43,19 +43,15 @@ pub struct CheckArguments {
     /// Also run the reference result that the FMU carries, and compare
     #[arg(long)]
     replay: bool,
-    /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
-    #[arg(long)]
-    fmus: Option<PathBuf>,
-    /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
-    /// than once
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    settings: Vec<Setting>,
+    #[command(flatten)]
+    fmus: Fmus,
+    #[command(flatten)]
+    settings: Settings,
     /// Print what was found as JSON
     #[arg(long)]
     json: bool,
-    /// Print nothing where all is right
-    #[arg(long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: Quiet,
     /// List the rules for a modelDescription.xml and do nothing else
     #[arg(long)]
     rules: bool,
@@ -97,13 +93,13 @@ pub fn check(arguments: &CheckArguments) -> Result<u8> {
         return Ok(0);
     }
     let Some(fmu) = &arguments.fmu else { return Ok(0) };
-    let answer = Answer::new(fmu, arguments.json, arguments.quiet);
+    let answer = Answer::new(fmu, arguments.json, arguments.quiet.quiet);
     let checked = files::exists(fmu).map_err(Into::into).and_then(|()| {
         let is_scenario = fmu.is_dir() || fmu.extension().is_some_and(|end| end == "toml");
         if is_scenario {
             return check_scenario(fmu, arguments, &answer);
         }
-        if let Some(setting) = arguments.settings.first() {
+        if let Some(setting) = arguments.settings.settings.first() {
             bail!("{setting}: sets a key of a scenario; an FMU has none");
         }
         command_in_child(&arguments.limits, || answer.of(check_here(fmu, arguments)))
@@ -113,11 +109,12 @@ pub fn check(arguments: &CheckArguments) -> Result<u8> {
 
 /// Checks a scenario: first the files in this process, then all that FMUs say up to the first step.
 fn check_scenario(path: &Path, arguments: &CheckArguments, answer: &Answer<'_>) -> Result<u8> {
-    let (scenario, file, _) = hotfoot::scenario::load(path, &arguments.settings)?;
+    let settings = &arguments.settings.settings;
+    let (scenario, file, _) = hotfoot::scenario::load(path, settings)?;
     let notes = scenario_files::check(&scenario)?;
-    let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
+    let fmus = arguments.fmus.folder();
     command_in_child(&arguments.limits, || {
-        let started = hotfoot::run::check_until_start(&file, &arguments.settings, &fmus);
+        let started = hotfoot::run::check_until_start(&file, settings, &fmus);
         let found = started.map_err(Into::into).map(|foreseen| {
             let notes = notes.iter().chain(&foreseen).map(|note| format!("note: {note}"));
             notes.chain([format!("{}: can be run", file.display())]).collect()

@@ -2,7 +2,7 @@
 
 use files::Mistake;
 use hotfoot::scenario::{Scenario, Value, quoted};
-use tools::train_files::{TrainFiles, check_rail, check_weather};
+use tools::train_files::{Start, TrainFiles, check_rail, check_weather};
 
 /// The parameter of a rail that names the file of the weather.
 const WEATHER: &str = "weather_file";
@@ -22,6 +22,9 @@ pub fn check(scenario: &Scenario) -> Result<Vec<String>, Mistake> {
         true => of_train(scenario).check()?,
         false => vec![],
     };
+    if own_train && scenario.fmus.vehicle.is_none() && !scenario.train_alone {
+        check_start(scenario)?;
+    }
     if let Some(heat) = &scenario.heat {
         let check = scenario.check().section("heat.parameters");
         if let Some(Value::File(weather)) = heat.parameters.get(WEATHER) {
@@ -37,6 +40,17 @@ pub fn check(scenario: &Scenario) -> Result<Vec<String>, Mistake> {
         notes.extend(shallow(&heat.depths_mm));
     }
     Ok(notes)
+}
+
+/// Refuses a train that would tip over where it starts.
+fn check_start(scenario: &Scenario) -> Result<(), Mistake> {
+    let train = &scenario.train;
+    let groups = train.vehicles.iter();
+    let files: Vec<_> =
+        groups.map(|group| (scenario.vehicle_file(&group.kind), group.count)).collect();
+    let vehicles: Vec<_> = files.iter().map(|(file, count)| (file.as_path(), *count)).collect();
+    let start = Start { position: train.leading_vehicle_position_m, speed: train.speed_m_per_s };
+    start.check(&vehicles, &scenario.stock, &scenario.track.file, &scenario.check())
 }
 
 fn of_train(scenario: &Scenario) -> TrainFiles<'_> {

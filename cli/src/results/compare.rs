@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use anyhow::{Result, ensure};
 use clap::Args;
 use hotfoot::report::compare::{
-    Compared, Comparison, How, Mapping, MeasurementOptions, compare as compare_results, write_page,
+    Compared, Comparison, FieldErrors, How, Mapping, MeasurementOptions,
+    compare as compare_results, write_page,
 };
 use tools::number::positive;
 
@@ -110,6 +111,7 @@ fn print_tables(comparison: &Comparison) -> Result<()> {
             print(format_args!("  {input}"))?;
         }
         print_errors(compared)?;
+        print_fields(compared)?;
         for (name, columns) in [(first, &compared.only_in_first), (other, &compared.only_in_other)]
         {
             if columns.len() > 5 {
@@ -157,4 +159,18 @@ fn print_errors(compared: &Compared) -> Result<()> {
         0 => Ok(()),
         more => print(format_args!("  and {more} more, which the page and --json have")),
     }
+}
+
+/// The fields of the rails.
+fn print_fields(compared: &Compared) -> Result<()> {
+    for field in &compared.fields {
+        let FieldErrors { field: name, variable, count, .. } = field;
+        let [relative, largest, rms] = field.texts();
+        let difference = match field.max_abs == 0.0 {
+            true => "no difference".to_owned(),
+            false => format!("largest {largest} ({relative}) at {}; RMS {rms}", field.position()),
+        };
+        print(format_args!("{name} {variable}: {difference}, in {count} snapshots"))?;
+    }
+    compared.fields_not_compared.iter().try_for_each(print)
 }

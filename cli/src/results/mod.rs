@@ -2,8 +2,10 @@
 //!
 //! | file | commands |
 //! |---|---|
-//! | `report.rs` | `report`, `expect` |
+//! | `report.rs` | `report` |
+//! | `expect.rs` | `expect` |
 //! | `compare.rs` | `compare` |
 
 pub mod compare;
+pub mod expect;
 pub mod report;

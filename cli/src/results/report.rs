@@ -1,21 +1,36 @@
-//! `hotfoot report` and `hotfoot expect`: what is made of the folder that a run has written.
+//! `hotfoot report`: what is made of the folder that a run has written.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, ensure};
+use clap::Args;
 use hotfoot::run::folder::claim::{Owner, owner, release};
 use hotfoot::run::folder::complete::{complete, is_complete};
-use hotfoot::run::{End, Ended, expected};
+use hotfoot::run::{End, Ended};
 use hotfoot::{recording, report};
 
+use crate::options::Quiet;
 use crate::output::{print, tell};
 use crate::supervise::temporary;
+
+/// Arguments of `hotfoot report`.
+#[derive(Args)]
+pub struct ReportArguments {
+    /// Folder that a run has written
+    results: PathBuf,
+    /// Also write each table as a CSV file into the folder `csv` of the results
+    #[arg(long)]
+    csv: bool,
+    #[command(flatten)]
+    quiet: Quiet,
+}
 
 /// Makes the report of a results folder again, and completes the results of a run that was killed.
 ///
 /// # Errors
 /// When the folder is not one that a run has written.
-pub fn report(results: &Path, csv: bool) -> Result<()> {
+pub fn report(arguments: &ReportArguments) -> Result<()> {
+    let ReportArguments { results, csv, quiet } = arguments;
     temporary::clean_up();
     files::exists(results)?;
     let owner = owner(results)?;
@@ -40,8 +55,11 @@ pub fn report(results: &Path, csv: bool) -> Result<()> {
             release(results);
         }
     }
-    if csv {
+    if *csv {
         write_csv(results)?;
+    }
+    if quiet.quiet {
+        return Ok(());
     }
     print(results.join("report.html").display())
 }
@@ -52,20 +70,6 @@ pub fn report(results: &Path, csv: bool) -> Result<()> {
 /// When one cannot be read or written.
 pub fn write_csv(results: &Path) -> Result<()> {
     Ok(recording::copy_as_csv(&results.join("series"), &results.join("csv"))?)
-}
-
-/// Says how the figures of a run compare with those expected of its scenario.
-///
-/// # Errors
-/// When a file cannot be read, or a figure differs.
-pub fn expect(results: &Path, expected: &Path) -> Result<()> {
-    check_folder(results)?;
-    let comparisons = expected::compare(results, expected)?;
-    comparisons.iter().try_for_each(print)?;
-    match comparisons.iter().filter(|comparison| !comparison.agrees()).count() {
-        0 => Ok(()),
-        count => bail!("{count} of {} figures differ", comparisons.len()),
-    }
 }
 
 /// Refuses a folder that no run has written.

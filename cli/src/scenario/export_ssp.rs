@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
-use files::Setting;
 use hotfoot::run::{Exported, export, workplace};
 
+use crate::options::{Fmus, Quiet, Settings};
 use crate::output::print;
-use crate::run::{default_fmus, scenario_path};
+use crate::run::scenario_path;
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
@@ -18,16 +18,15 @@ pub struct ExportArguments {
     /// Scenario: its folder or file, or the name of a shipped one
     #[arg(value_parser = scenario_path())]
     scenario: PathBuf,
-    /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
-    /// than once
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    settings: Vec<Setting>,
+    #[command(flatten)]
+    settings: Settings,
     /// Package to write; left out: named as the scenario's folder, in the current folder
     #[arg(long, short)]
     output: Option<PathBuf>,
-    /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
-    #[arg(long)]
-    fmus: Option<PathBuf>,
+    #[command(flatten)]
+    fmus: Fmus,
+    #[command(flatten)]
+    quiet: Quiet,
     #[command(flatten)]
     limits: Limits,
 }
@@ -42,11 +41,14 @@ pub fn export_ssp(arguments: &ExportArguments) -> Result<u8> {
 }
 
 fn export_here(arguments: &ExportArguments) -> Result<()> {
-    let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
+    let settings = &arguments.settings.settings;
     let name = || workplace::scenario_name(&arguments.scenario);
     let target = arguments.output.clone().unwrap_or_else(|| format!("{}.ssp", name()).into());
-    let exported = export(&arguments.scenario, &arguments.settings, &fmus, &target)?;
+    let exported = export(&arguments.scenario, settings, &arguments.fmus.folder(), &target)?;
     let Exported { components, connections } = exported;
+    if arguments.quiet.quiet {
+        return Ok(());
+    }
     let target = target.display();
     print(format_args!("{target}: {components} components, {connections} connections"))
 }

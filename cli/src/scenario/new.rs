@@ -8,6 +8,7 @@ use clap::{Args, ValueEnum};
 use files::{Document, Setting};
 use hotfoot::shipped;
 
+use crate::options::Quiet;
 use crate::output;
 
 /// Arguments of `hotfoot new`.
@@ -22,6 +23,8 @@ pub struct NewArguments {
     /// Folder of the rolling-stock library; left out: `stock` beside the folder of the program
     #[arg(long)]
     stock: Option<PathBuf>,
+    #[command(flatten)]
+    quiet: Quiet,
 }
 
 /// A shipped scenario.
@@ -65,7 +68,7 @@ impl Template {
 /// # Errors
 /// When it is there already, cannot be written, or there is no rolling stock.
 pub fn new(arguments: &NewArguments) -> Result<()> {
-    let NewArguments { folder, from, stock } = arguments;
+    let NewArguments { folder, from, stock, quiet } = arguments;
     let shown = folder.display();
     if folder.exists() {
         bail!("{shown} is there already; name another folder");
@@ -86,6 +89,9 @@ pub fn new(arguments: &NewArguments) -> Result<()> {
         }
         let file = folder.join(name);
         fs::write(&file, document.text()).with_context(|| file.display().to_string())?;
+    }
+    if quiet.quiet {
+        return Ok(());
     }
     output::print(format_args!(
         "{shown} is a scenario of its own now: change scenario.toml, track.toml and driver.toml, and run it by\n  \

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
-use files::Setting;
 use hotfoot::Structure;
 use hotfoot::run::wiring;
 use serde_json::{Value, json};
 
+use crate::options::{Fmus, Settings};
 use crate::output::{print_json, write};
-use crate::run::{default_fmus, scenario_path};
+use crate::run::scenario_path;
 use crate::supervise::command_in_child;
 use crate::supervise::limits::Limits;
 
@@ -21,19 +21,16 @@ pub struct WiringArguments {
     /// one .fmu
     #[arg(value_parser = scenario_path())]
     scenario: PathBuf,
-    /// Value of a key of the scenario in place of the file's, such as train.speed_m_per_s=20; can be given more
-    /// than once
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    settings: Vec<Setting>,
+    #[command(flatten)]
+    settings: Settings,
     /// Print JSON
     #[arg(long, conflicts_with = "dot")]
     json: bool,
     /// Print a graph for Graphviz, as for `dot -Tsvg`
     #[arg(long)]
     dot: bool,
-    /// Folder of Hotfoot's own FMUs; left out: `fmus` beside the folder of the program
-    #[arg(long)]
-    fmus: Option<PathBuf>,
+    #[command(flatten)]
+    fmus: Fmus,
     #[command(flatten)]
     limits: Limits,
 }
@@ -48,8 +45,8 @@ pub fn print(arguments: &WiringArguments) -> Result<u8> {
 }
 
 fn print_here(arguments: &WiringArguments) -> Result<()> {
-    let fmus = arguments.fmus.clone().unwrap_or_else(default_fmus);
-    let structure = wiring(&arguments.scenario, &arguments.settings, &fmus)?;
+    let WiringArguments { scenario, settings, fmus, .. } = arguments;
+    let structure = wiring(scenario, &settings.settings, &fmus.folder())?;
     if arguments.json {
         return print_json(&as_json(&structure));
     }

@@ -49,5 +49,5 @@ mod writer;
 pub use axes::{Attribute, Axes, Sections};
 pub use complete::complete;
 pub use error::FieldError;
-pub use reader::{FieldReader, Snapshot};
+pub use reader::{FieldReader, Snapshot, fields_in};
 pub use writer::{FieldWriter, is_rail_field};

@@ -1,5 +1,6 @@
 //! Reads the snapshots of a field.
 
+use std::io;
 use std::path::{Path, PathBuf};
 
 use zarrs::array::{ArraySubset, ElementOwned, FromArrayBytes};
@@ -24,6 +25,17 @@ pub struct Snapshot {
     pub time: f64,
     /// Rise above the initial state, K; the depths of the first element first.
     pub rise: Vec<f32>,
+}
+
+/// The fields in a folder, by name.
+///
+/// # Errors
+/// When the folder cannot be read.
+pub fn fields_in(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let entries = std::fs::read_dir(folder)?.flatten().map(|entry| entry.path());
+    let mut fields: Vec<PathBuf> = entries.filter(|path| is_rail_field(path)).collect();
+    fields.sort();
+    Ok(fields)
 }
 
 /// Reads a field, also one that is still being written or whose writer was killed.

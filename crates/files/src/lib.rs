@@ -20,9 +20,11 @@
 //! | `structure.rs`, `syntax.rs` | the messages of serde and of TOML in plain words |
 //! | `setting.rs` | a [`Setting`]: a value of the command line in place of the file's |
 //! | `table.rs` | a [`Table`]: rows of comma-separated values |
+//! | `column.rs` | a [`Column`]: what stands in one of its columns |
 //! | `nearest.rs` | the name that was meant |
 
 mod check;
+mod column;
 mod document;
 mod key;
 mod mistake;
@@ -34,6 +36,7 @@ mod syntax;
 mod table;
 
 pub use check::Check;
+pub use column::Column;
 pub use document::{Document, exists};
 pub use mistake::{Mark, Mistake};
 pub use nearest::{did_you_mean, nearest};

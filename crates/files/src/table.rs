@@ -1,8 +1,9 @@
 //! Rows of comma-separated values below a line with the names of the columns.
 
+use std::iter::once;
 use std::ops::Range;
 
-use csv::{Position, ReaderBuilder, StringRecord, Trim};
+use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
 
 use crate::document::Document;
 use crate::mistake::Mistake;
@@ -24,19 +25,14 @@ impl<'a> Table<'a> {
     pub fn new(document: &'a Document) -> Result<Self, Mistake> {
         let text = document.text();
         let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(text.as_bytes());
-        let fail = |error: &csv::Error| broken(document, error);
-        let names = reader.headers().map_err(|error| fail(&error))?.clone();
+        let names = reader.headers().map_err(|error| broken(document, 0, &error))?.clone();
         let separators = text.lines().next().unwrap_or_default();
         if names.len() == 1 && separators.contains([';', '\t']) {
             let sentence = "values are separated by commas and have decimal points";
             let at = separators.find([';', '\t']).unwrap_or_default();
             return Err(document.mistake(at..at + 1, sentence));
         }
-        let mut rows = vec![];
-        for record in reader.into_records() {
-            let record = record.map_err(|error| fail(&error))?;
-            rows.push((record.position().map_or(0, byte), record));
-        }
+        let rows = rows(document, 0, reader)?;
         match rows.is_empty() {
             true => {
                 let sentence = "has no rows below the names of its columns";
@@ -44,6 +40,29 @@ impl<'a> Table<'a> {
             }
             false => Ok(Self { document, names, rows }),
         }
+    }
+
+    /// Takes these lines of a document apart, counted from 0, whose columns the file does not name.
+    ///
+    /// `names` are those of the first columns, in order; there may be none of such lines.
+    ///
+    /// # Errors
+    /// When a row has not as many values as the first one.
+    pub fn without_names(
+        document: &'a Document,
+        lines: Range<usize>,
+        names: &[&str],
+    ) -> Result<Self, Mistake> {
+        let text = document.text();
+        let ends = text.match_indices('\n').map(|(newline, _)| newline + 1);
+        let begins: Vec<usize> = once(0).chain(ends).collect();
+        let begin = |line: usize| begins.get(line).copied().unwrap_or(text.len());
+        let bytes = begin(lines.start)..begin(lines.end);
+        let reader = ReaderBuilder::new()
+            .trim(Trim::All)
+            .has_headers(false)
+            .from_reader(&text.as_bytes()[bytes.clone()]);
+        Ok(Self { document, names: names.into(), rows: rows(document, bytes.start, reader)? })
     }
 
     /// The names of the columns in order.
@@ -98,9 +117,22 @@ impl<'a> Table<'a> {
     }
 }
 
-/// A file that is no table.
-fn broken(document: &Document, error: &csv::Error) -> Mistake {
-    let begin = error.position().map_or(0, byte);
+/// The rows of a reader that begins at a byte of the document, each with the byte at which it begins.
+fn rows(
+    document: &Document,
+    from: usize,
+    reader: Reader<&[u8]>,
+) -> Result<Vec<(usize, StringRecord)>, Mistake> {
+    let rows = reader.into_records().map(|record| {
+        let record = record.map_err(|error| broken(document, from, &error))?;
+        Ok((from + record.position().map_or(0, byte), record))
+    });
+    rows.collect()
+}
+
+/// A file that is no table, read from a byte on.
+fn broken(document: &Document, from: usize, error: &csv::Error) -> Mistake {
+    let begin = from + error.position().map_or(0, byte);
     let sentence = match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             format!("this row has {len} values, but the rows above it have {expected_len}")
@@ -181,6 +213,22 @@ mod tests {
             "{semicolons}"
         );
         assert_eq!(answer("a,b\n"), "log.csv: has no rows below the names of its columns");
+    }
+
+    /// Weather files have lines of other kinds first, and columns without names.
+    #[test]
+    fn lines_without_names_keep_their_place_in_the_file() {
+        let file = Document::new("year.epw", "LOCATION,Rockhampton\n\nPERIODS,1\n1,7.5\n2,x\n");
+        let table = Table::without_names(&file, 3..usize::MAX, &["hour", "air"]).unwrap();
+        assert_eq!((table.len(), table.number(0, 1).unwrap()), (2, 7.5));
+        let text = table.number(1, 1).unwrap_err().to_string();
+        assert!(text.starts_with("year.epw:5:3: air = x: must be a number"), "{text}");
+        let first = Table::without_names(&file, 0..1, &["", "city"]).unwrap();
+        assert_eq!((first.len(), first.text(0, 1)), (1, "Rockhampton"));
+        assert!(Table::without_names(&file, 9..10, &[]).unwrap().is_empty());
+        let uneven = Document::new("year.epw", "PERIODS,1\n1,7.5\n2\n");
+        let text = Table::without_names(&uneven, 1..9, &[]).unwrap_err().to_string();
+        assert!(text.starts_with("year.epw:3:1: this row has 1 values"), "{text}");
     }
 
     /// Numbers that the program cannot compute with are refused as well.

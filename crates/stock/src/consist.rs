@@ -16,7 +16,7 @@
 use std::path::Path;
 
 use files::{Document, Mistake};
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
 
 /// Most vehicles a train may have.
@@ -43,20 +43,27 @@ pub struct Member {
     pub hand_brake: f64,
 }
 
+/// The vehicles of a train in order from its head.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ConsistFile {
+    /// Vehicles that are the same and follow one another.
     vehicle: Vec<Block>,
 }
 
+/// Vehicles that are the same and follow one another.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Block {
+    /// Name of the vehicle type in the library.
     r#type: String,
+    /// Number of the vehicles.
     #[serde(default = "one")]
     count: usize,
+    /// Group of locomotives whose commands they follow; 0 is the leading one.
     #[serde(default)]
     group: usize,
+    /// Share of the hand brakes' force that is applied, 0 to 1.
     #[serde(default)]
     hand_brake: f64,
 }
@@ -66,6 +73,11 @@ fn one() -> usize {
 }
 
 impl Consist {
+    /// The JSON schema of consist files.
+    pub fn schema() -> Schema {
+        schema_for!(ConsistFile)
+    }
+
     /// Reads a consist file.
     ///
     /// # Errors

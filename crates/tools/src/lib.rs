@@ -10,7 +10,7 @@
 //! | `critical_speed.rs` | `hotfoot critical-speed`: the speed at which it becomes unstable |
 //! | `rolling_stock/` | `hotfoot stock`: the rolling-stock library as a list |
 //! | `schema.rs` | `hotfoot schema`: what may stand in the files of a train |
-//! | `train_files.rs` | the files of a train, read as the models read them |
+//! | `train_files/` | the files of a train, read as the models read them |
 //! | `plot.rs` | the page of curves that the two draw with `--plot` |
 //! | `vehicle_argument.rs`, `number.rs` | the vehicle that a command is about, and the numbers of options |
 //! | `error.rs` | why a command cannot answer |

@@ -1,10 +1,12 @@
 //! `hotfoot schema`: what may stand in the files of a train and its line.
 
+use files::Column;
 use longitudinal::driver::Driver;
+use railheat::Shape;
 use railheat::section::RailFile;
 use schemars::{Schema, schema_for};
 use serde_json::{Map, Value, json};
-use stock::{Library, Vehicle};
+use stock::{Consist, Library, Vehicle};
 use track::TrackFile;
 
 /// The JSON schema of track files.
@@ -25,6 +27,16 @@ pub fn draft_gear() -> Schema {
 /// The JSON schema of rail files.
 pub fn rail() -> Schema {
     schema_for!(RailFile)
+}
+
+/// The JSON schema of consist files, which the resources of the train's FMU have.
+pub fn consist() -> Schema {
+    Consist::schema()
+}
+
+/// The JSON schema of `railheat.toml`, which the resources of the rail's FMU have.
+pub fn rail_heat() -> Schema {
+    Shape::schema()
 }
 
 /// The JSON schema of vehicle files.
@@ -57,119 +69,100 @@ fn need_nothing(section: &mut Map<String, Value>) {
     section.remove("required");
 }
 
-/// A column of a CSV file: name, unit, whether it is needed, and what it is.
-type Column = (&'static str, &'static str, bool, &'static str);
-
 /// The columns of weather files, as a [Table Schema](https://specs.frictionlessdata.io/table-schema/).
 pub fn weather() -> Value {
-    columns(&[
-        ("time_s", "s", true, "Simulated time; must rise, by at most 3 h"),
-        ("air_degC", "°C", true, "Temperature of the air"),
-        ("wind_m_s", "m/s", true, "Speed of the wind"),
-        ("direct_W_m2", "W/m²", true, "Direct irradiance on a surface that faces the sun"),
-        ("diffuse_W_m2", "W/m²", true, "Diffuse irradiance on a horizontal surface"),
-        (
-            "sun_elevation_deg",
-            "deg",
-            false,
-            "Elevation of the sun; left out where site.date_time says when it is",
-        ),
-        (
-            "sun_azimuth_deg",
-            "deg",
-            false,
-            "Azimuth of the sun, clockwise from north; left out likewise",
-        ),
-    ])
+    columns(&railheat::weather::COLUMNS)
 }
 
 /// The columns of a logger's file; the section `[replay]` of a driver file says what they are called.
 pub fn logger() -> Value {
-    columns(&[
-        ("time", "s", true, "Time, which must rise; its name is replay.time"),
-        ("speed", "km/h", true, "Measured speed; replay.speed, in the unit of replay.speed_unit"),
-        (
-            "throttle",
-            "1",
-            false,
-            "Throttle or notch; replay.throttle, in parts of replay.throttle_full",
-        ),
-        (
-            "dynamic_brake",
-            "1",
-            false,
-            "Dynamic brake; replay.dynamic_brake, in parts of replay.dynamic_brake_full",
-        ),
-        (
-            "train_brake",
-            "1",
-            false,
-            "Train brake; replay.train_brake, in parts of replay.train_brake_full",
-        ),
-        (
-            "locomotive_brake",
-            "1",
-            false,
-            "Locomotive brake; replay.locomotive_brake, in parts of replay.locomotive_brake_full",
-        ),
-    ])
+    columns(&longitudinal::driver::LOGGER_COLUMNS)
 }
 
 /// The columns of a file of measured irregularities.
 pub fn irregularity() -> Value {
-    columns(&[
-        ("chainage_m", "m", true, "Chainage, at equal distances"),
-        ("left_lateral_mm", "mm", true, "Left rail to the right"),
-        ("left_vertical_mm", "mm", true, "Left rail down"),
-        ("right_lateral_mm", "mm", true, "Right rail to the right"),
-        ("right_vertical_mm", "mm", true, "Right rail down"),
-    ])
+    columns(&track::irregularity::COLUMNS)
+}
+
+/// What stands in a line of a profile of a wheel or rail, whose columns have no names in the file.
+const POINT: [Column; 2] = [
+    Column {
+        name: "lateral",
+        unit: "mm",
+        required: true,
+        bounds: Some([-200.0, 200.0]),
+        description: "To the field side, from the running circle of a wheel or the middle of a rail",
+    },
+    Column {
+        name: "height",
+        unit: "mm",
+        required: true,
+        bounds: Some([-200.0, 200.0]),
+        description: "Downwards",
+    },
+];
+
+/// The columns of a profile.
+pub fn profile() -> Value {
+    let mut table = columns(&POINT);
+    table["description"] = "A point on each line, its two numbers parted by blanks, commas or semicolons, without a \
+                            line of names; lines that begin with #, % or ! are comments. Files of CONTACT and SIMPACK \
+                            (.prw, .prr) are read with what their header says."
+        .into();
+    table
 }
 
 fn columns(columns: &[Column]) -> Value {
-    let field = |(name, unit, required, description): &Column| {
-        json!({
-            "name": name,
-            "type": "number",
-            "unit": unit,
-            "description": description,
-            "constraints": { "required": required },
-        })
-    };
     json!({ "fields": columns.iter().map(field).collect::<Vec<_>>() })
+}
+
+fn field(column: &Column) -> Value {
+    let mut constraints = json!({ "required": column.required });
+    if let Some([low, high]) = column.bounds {
+        constraints["minimum"] = low.into();
+        constraints["maximum"] = high.into();
+    }
+    json!({
+        "name": column.name,
+        "type": "number",
+        "unit": column.unit,
+        "description": column.description,
+        "constraints": constraints,
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use railheat::weather::HEADER;
-    use track::irregularity::COLUMNS;
-
     use super::*;
 
-    fn names(table: &Value) -> Vec<&str> {
-        let fields = table["fields"].as_array().unwrap();
-        fields.iter().map(|field| field["name"].as_str().unwrap()).collect()
-    }
-
     #[test]
-    fn columns_are_those_that_the_readers_want() {
-        assert_eq!(names(&weather()).join(","), HEADER);
-        assert_eq!(names(&irregularity()), COLUMNS);
+    fn columns_say_name_unit_bounds_and_meaning() {
+        for table in [weather(), logger(), irregularity(), profile()] {
+            let fields = table["fields"].as_array().unwrap();
+            assert!(fields.iter().any(|field| field["constraints"]["required"] == true));
+            assert!(fields.iter().all(|field| field["unit"].is_string()));
+            assert!(fields.iter().all(|field| field["description"] != ""));
+        }
+        let air = &weather()["fields"][1];
+        assert_eq!(air["name"], "air_degC");
+        assert_eq!(air["constraints"]["maximum"], 65.0);
     }
 
     /// A file may have only what its schema has, and its keys say what they are.
     #[test]
     fn schemas_are_closed_and_described() {
-        for (kind, schema) in [
-            ("track", track()),
-            ("driver", driver()),
-            ("vehicle", vehicle()),
-            ("gear", draft_gear()),
-            ("rail", rail()),
+        for (kind, schema, keys) in [
+            ("track", track(), 6),
+            ("driver", driver(), 6),
+            ("vehicle", vehicle(), 6),
+            ("gear", draft_gear(), 6),
+            ("rail", rail(), 6),
+            ("consist", consist(), 1),
+            ("rail heat", rail_heat(), 3),
         ] {
             let value = schema.as_value();
             assert_eq!(value["additionalProperties"], false, "{kind}");
-            assert!(value["properties"].as_object().unwrap().len() > 5, "{kind}");
+            assert!(value["properties"].as_object().unwrap().len() >= keys, "{kind}");
         }
         let track = track();
         let alignment = &track.as_value()["properties"]["alignment"];

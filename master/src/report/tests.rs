@@ -79,6 +79,16 @@ fn the_first_screen_answers() {
     assert!(page.contains("Largest coupler tension: 90.0 kN, rear coupler of vehicle 1 at 0 s."));
 }
 
+/// The left foot is warmest at 99 m, and the probes are elsewhere; the right rail has no field.
+#[test]
+fn a_section_that_was_not_kept_is_told_with_its_key() {
+    let (_, page) = report(&facts());
+    let sentence = "The foot of the left rail is warmest at chainage 99.0 m, but sections were kept at 100.5 m, 120.5 m \
+                    only: { chainage_m = 99.0 } among the probes of the scenario (heat.probe) keeps the one there";
+    assert!(page.contains(sentence), "{}", shown(&page));
+    assert!(!page.contains("The foot of the right rail is warmest at chainage"));
+}
+
 /// A tension of 90 kN is above 80 kN, and no run gives what it does not record.
 #[test]
 fn limits_are_judged() {

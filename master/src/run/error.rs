@@ -104,6 +104,25 @@ impl RunError {
         scenario.blamed(&unit.instance, message).map_or(self, Self::Scenario)
     }
 
+    /// Own vehicles that find no balance, at the key of the speed at which they should start.
+    ///
+    /// Initial values that do not settle tell of a loop where there are FMUs of others.
+    pub(crate) fn of_start(self, scenario: &Scenario) -> Self {
+        let fmus = &scenario.fmus;
+        let is_own =
+            fmus.longitudinal.is_none() && fmus.vehicle.is_none() && fmus.vehicle_at.is_empty();
+        match self {
+            Self::Start(StartError::Loop { .. }) if is_own => {
+                let wanted = "the vehicles find no balance to start from on this track: lower the speed, start \
+                              on gentler track (train.leading_vehicle_position_m, or radius and cant in the track \
+                              file), or with less traction and brake";
+                let speed = scenario.train.speed_m_per_s;
+                Self::Scenario(scenario.check().error("train.speed_m_per_s", speed, wanted))
+            }
+            other => other,
+        }
+    }
+
     /// A step that failed, in a run whose results are in this folder.
     pub(crate) fn step(failed: FailedStep, results: &Path) -> Self {
         let FailedStep { time, source } = failed;

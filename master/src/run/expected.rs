@@ -17,7 +17,9 @@
 use std::fmt;
 use std::path::Path;
 
-use serde::Deserialize;
+use files::{Document, Mistake};
+use schemars::{JsonSchema, Schema, schema_for};
+use serde::{Deserialize, Serialize};
 
 use crate::files::file_error::{FileError, read_toml};
 use crate::report::{Limit, LimitFacts};
@@ -25,17 +27,12 @@ use crate::report::{Limit, LimitFacts};
 /// Why figures cannot be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum ExpectedError {
-    /// A file cannot be read, or is not what it should be.
+    /// The manifest cannot be read, or is not what it should be.
     #[error(transparent)]
     File(#[from] FileError),
-    /// A figure has a value and a limit.
-    #[error("{file}: figure \"{key}\" has a value and a limit; give each an entry of its own")]
-    Both {
-        /// File.
-        file: String,
-        /// Key of the figure.
-        key: String,
-    },
+    /// The file of expected figures cannot be read, or is not what it should be.
+    #[error(transparent)]
+    Expected(#[from] Mistake),
     /// The run is another one.
     #[error("the run came to {found} s, but the figures are expected after {expected} s")]
     Time {
@@ -46,24 +43,53 @@ pub enum ExpectedError {
     },
 }
 
-/// The file of expected figures.
-#[derive(Debug, Deserialize)]
+/// Figures that a scenario is expected to give.
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Expected {
+    /// Simulated time of the run, s; a shorter one is not compared.
     simulated_s: f64,
+    /// The figures.
     figure: Vec<ExpectedFigure>,
 }
 
-#[derive(Debug, Deserialize)]
+/// A figure with a value, with limits, or with neither: then there must be none.
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ExpectedFigure {
+    /// Key in the manifest.
     key: String,
+    /// Value in the manifest's unit.
     value: Option<f64>,
+    /// Largest difference from the value.
     #[serde(default)]
     tolerance: f64,
+    /// Limit from below, in place of a value.
     at_least: Option<f64>,
+    /// Limit from above, in place of a value.
     at_most: Option<f64>,
+    /// Where the value or limit comes from.
     source: String,
+}
+
+/// The JSON schema of files of expected figures.
+pub fn schema() -> Schema {
+    schema_for!(Expected)
+}
+
+impl Expected {
+    fn read(file: &Path) -> Result<Self, Mistake> {
+        let document = Document::read(file)?;
+        let expected: Self = document.parse()?;
+        for (i, figure) in expected.figure.iter().enumerate() {
+            let check = document.check().element("figure", i);
+            if figure.value.is_some() && figure.has_limits() {
+                let wanted = "leave value or the limits out; give each an entry of its own";
+                return Err(check.refuse("value", wanted));
+            }
+        }
+        Ok(expected)
+    }
 }
 
 /// What of a manifest is compared.
@@ -81,61 +107,82 @@ struct FoundFigure {
     unit: String,
 }
 
-/// What a figure must be.
-#[derive(Debug, PartialEq)]
-enum Wanted {
-    /// There must be no such value.
-    None,
-    /// A value, and the largest difference from it.
-    Value(f64, f64),
-    /// Between limits.
-    Limits(f64, f64),
-}
-
 /// How a figure compares.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, PartialEq, Serialize)]
 pub struct Comparison {
-    key: String,
-    wanted: Wanted,
-    /// None if the run has no figure of that key.
-    found: Option<Option<f64>>,
-    unit: String,
-    source: String,
+    /// Key of the figure.
+    pub key: String,
+    /// Whether the run gave what was expected.
+    pub agrees: bool,
+    /// Whether the run has a figure of that key.
+    pub is_there: bool,
+    /// What the run gave; nothing where it has come to no value.
+    pub found: Option<f64>,
+    /// Unit of the values; empty where there is no such figure.
+    pub unit: String,
+    /// Value that is expected.
+    pub value: Option<f64>,
+    /// Largest difference from it.
+    pub tolerance: Option<f64>,
+    /// Limit from below.
+    pub at_least: Option<f64>,
+    /// Limit from above.
+    pub at_most: Option<f64>,
+    /// Where the value or limit comes from.
+    pub source: String,
 }
 
 impl Comparison {
-    /// Whether the run gave what was expected.
-    pub fn agrees(&self) -> bool {
-        match (&self.wanted, self.found) {
-            (Wanted::Value(value, tolerance), Some(Some(found))) => {
-                (found - value).abs() <= *tolerance
+    fn of(expected: ExpectedFigure, figures: &[FoundFigure]) -> Self {
+        let ExpectedFigure { key, value, tolerance, at_least, at_most, source } = expected;
+        let figure = figures.iter().find(|found| found.key == key);
+        let found = figure.and_then(|figure| figure.value);
+        let has_limits = at_least.is_some() || at_most.is_some();
+        let agrees = match (value, found) {
+            (Some(value), Some(found)) => (found - value).abs() <= tolerance,
+            (None, Some(found)) if has_limits => {
+                at_least.is_none_or(|least| found >= least)
+                    && at_most.is_none_or(|most| found <= most)
             }
-            (Wanted::Limits(least, most), Some(Some(found))) => (*least..=*most).contains(&found),
-            (Wanted::None, Some(None)) => true,
+            (None, None) => figure.is_some() && !has_limits,
             _ => false,
+        };
+        Self {
+            key,
+            agrees,
+            is_there: figure.is_some(),
+            found,
+            unit: figure.map(|figure| figure.unit.clone()).unwrap_or_default(),
+            value,
+            tolerance: value.map(|_| tolerance),
+            at_least,
+            at_most,
+            source,
         }
     }
-}
 
-impl fmt::Display for Wanted {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::None => write!(f, "none"),
-            Self::Value(value, tolerance) => write!(f, "{value} ± {tolerance}"),
-            Self::Limits(f64::NEG_INFINITY, most) => write!(f, "at most {most}"),
-            Self::Limits(least, f64::INFINITY) => write!(f, "at least {least}"),
-            Self::Limits(least, most) => write!(f, "{least} to {most}"),
+    /// What is expected, in words.
+    fn wanted(&self) -> String {
+        match (self.value, self.at_least, self.at_most) {
+            (Some(value), ..) => format!("{value} ± {}", self.tolerance.unwrap_or_default()),
+            (None, None, None) => "none".to_owned(),
+            (None, None, Some(most)) => format!("at most {most}"),
+            (None, Some(least), None) => format!("at least {least}"),
+            (None, Some(least), Some(most)) => format!("{least} to {most}"),
         }
     }
 }
 
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = |value: Option<f64>| value.map_or("none".to_owned(), |v| v.to_string());
-        let found = self.found.map_or("no such figure".to_owned(), number);
-        let verdict = if self.agrees() { "agrees " } else { "DIFFERS" };
-        let Self { key, unit, wanted, source, .. } = self;
-        write!(f, "{verdict} {key}: {found} {unit}, expected {wanted} ({source})")
+        let found = match self.found {
+            _ if !self.is_there => "no such figure".to_owned(),
+            None => "none".to_owned(),
+            Some(found) => found.to_string(),
+        };
+        let verdict = if self.agrees { "agrees " } else { "DIFFERS" };
+        let Self { key, unit, source, .. } = self;
+        write!(f, "{verdict} {key}: {found} {unit}, expected {} ({source})", self.wanted())
     }
 }
 
@@ -145,26 +192,12 @@ impl fmt::Display for Comparison {
 /// When a file cannot be read, or the run is not the one of the file.
 pub fn compare(results: &Path, file: &Path) -> Result<Vec<Comparison>, ExpectedError> {
     let manifest: Manifest = read_toml(&results.join("manifest.toml"))?;
-    let expected: Expected = read_toml(file)?;
+    let expected = Expected::read(file)?;
     let (found, wanted) = (manifest.simulated_s, expected.simulated_s);
     if (found - wanted).abs() > 1e-6 * wanted {
         return Err(ExpectedError::Time { found, expected: wanted });
     }
-    let compared = |figure: ExpectedFigure| {
-        let found = manifest.figure.iter().find(|found| found.key == figure.key);
-        Comparison {
-            found: found.map(|found| found.value),
-            unit: found.map(|found| found.unit.clone()).unwrap_or_default(),
-            wanted: figure.wanted(),
-            key: figure.key,
-            source: figure.source,
-        }
-    };
-    let file_name = file.display().to_string();
-    let both = expected.figure.iter().find(|figure| figure.value.is_some() && figure.has_limits());
-    if let Some(figure) = both {
-        return Err(ExpectedError::Both { file: file_name, key: figure.key.clone() });
-    }
+    let compared = |figure| Comparison::of(figure, &manifest.figure);
     Ok(expected.figure.into_iter().map(compared).collect())
 }
 
@@ -172,7 +205,7 @@ pub fn compare(results: &Path, file: &Path) -> Result<Vec<Comparison>, ExpectedE
 ///
 /// There are none where there is no such file, or where it cannot be read, which `hotfoot expect` tells.
 pub(super) fn limits(scenario: &Path) -> LimitFacts {
-    let Ok(expected) = read_toml::<Expected>(&scenario.with_file_name("expected.toml")) else {
+    let Ok(expected) = Expected::read(&scenario.with_file_name("expected.toml")) else {
         return LimitFacts::default();
     };
     let figures = expected.figure.into_iter().filter(ExpectedFigure::has_limits);
@@ -188,16 +221,6 @@ pub(super) fn limits(scenario: &Path) -> LimitFacts {
 impl ExpectedFigure {
     fn has_limits(&self) -> bool {
         self.at_least.is_some() || self.at_most.is_some()
-    }
-
-    fn wanted(&self) -> Wanted {
-        let limits =
-            [self.at_least.unwrap_or(f64::NEG_INFINITY), self.at_most.unwrap_or(f64::INFINITY)];
-        match self.value {
-            Some(value) => Wanted::Value(value, self.tolerance),
-            None if self.has_limits() => Wanted::Limits(limits[0], limits[1]),
-            None => Wanted::None,
-        }
     }
 }
 
@@ -254,7 +277,7 @@ mod tests {
             ("right.foot.detection", "at_most = 300.0", false),
         ] {
             let comparisons = compared(&figure(key, value)).unwrap();
-            assert_eq!(comparisons[0].agrees(), agrees, "{}", comparisons[0]);
+            assert_eq!(comparisons[0].agrees, agrees, "{}", comparisons[0]);
         }
         let sentence =
             compared(&figure("left.foot.highest", "value = 0.128")).unwrap()[0].to_string();
@@ -268,8 +291,8 @@ mod tests {
         assert!(sentence.contains("came to 106 s") && sentence.contains("after 3 s"), "{sentence}");
         let both = figure("left.foot.highest", "value = 0.1\nat_most = 0.2");
         let sentence = compared(&both).unwrap_err().to_string();
-        assert!(sentence.contains("a value and a limit"), "{sentence}");
+        assert!(sentence.contains("expected.toml:4:9: figure[1].value: leave"), "{sentence}");
         let sentence = compared("simulated_s = 1.0\nfigures = []").unwrap_err().to_string();
-        assert!(sentence.contains("expected.toml") && sentence.contains("figures"), "{sentence}");
+        assert!(sentence.contains("expected.toml:2:1: there is no key `figures`"), "{sentence}");
     }
 }

@@ -78,7 +78,7 @@ impl Setup {
         let Self { system, rails, subject, .. } = self;
         let done = system.initialize(|part| if rails.contain(part) { rails_end } else { stop });
         done.map_err(RunError::from).map_err(|error| match subject {
-            Subject::Train(scenario, _) => error.at_key(scenario),
+            Subject::Train(scenario, _) => error.at_key(scenario).of_start(scenario),
             Subject::Package(..) => error,
         })
     }

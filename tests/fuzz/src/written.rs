@@ -3,7 +3,7 @@
 use contact::{ProfilePair, RailProfile, WheelProfile};
 use longitudinal::driver::Driver;
 use railheat::section::RailFile;
-use railheat::weather::WeatherFile;
+use railheat::weather::{Ephemeris, WeatherFile};
 use stock::{Consist, Library};
 use track::TrackFile;
 
@@ -100,9 +100,11 @@ pub fn rail_shape(bytes: &[u8]) {
     let _ = railheat::Shape::from_resources(scratch.folder());
 }
 
+/// A file of EnergyPlus begins with its line LOCATION.
 pub fn weather(bytes: &[u8]) {
-    let file = WeatherFile::open(&Scratch::with("weather.csv", bytes).path("weather.csv"));
-    if let Ok(file) = file {
-        let _ = file.at(0.0);
+    let name = if bytes.starts_with(b"LOCATION") { "weather.epw" } else { "weather.csv" };
+    let noon = Ephemeris::new("2018-06-30T12:00:00+10:00", -0.4, 2.6).ok();
+    if let Ok(file) = WeatherFile::open(&Scratch::with(name, bytes).path(name)) {
+        let _ = file.at(0.0, noon.as_ref());
     }
 }

@@ -9,10 +9,21 @@ use serde_json::Value;
 use crate::shell::{hotfoot, output, target};
 
 /// Kinds of files that `hotfoot schema` knows by their keys.
-const KEYS: [&str; 6] = ["scenario", "track", "driver", "vehicle", "draft-gear", "rail"];
+const KEYS: [&str; 10] = [
+    "scenario",
+    "track",
+    "driver",
+    "vehicle",
+    "draft-gear",
+    "rail",
+    "expected",
+    "consist",
+    "rail-heat",
+    "experiment",
+];
 
 /// Kinds of files that it knows by their columns.
-const COLUMNS: [&str; 3] = ["weather", "logger", "irregularity"];
+const COLUMNS: [&str; 4] = ["weather", "logger", "irregularity", "profile"];
 
 /// The models.
 const MODELS: [&str; 4] = ["vehicle", "longitudinal", "railheat", "synchronisation"];

@@ -16,7 +16,7 @@
 
 use std::path::{Path, PathBuf};
 
-use files::{Check, Document, Mistake, Table};
+use files::{Check, Column, Document, Mistake, Table};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -25,12 +25,27 @@ use super::grid::{Grid, Row};
 use super::shape::{Direction, Form, Rails, Shape};
 use super::spectrum::{Quality, Spectrum};
 
-/// Columns of a file with measured irregularities.
-pub const COLUMNS: [&str; 5] =
-    ["chainage_m", "left_lateral_mm", "left_vertical_mm", "right_lateral_mm", "right_vertical_mm"];
-
 /// Greatest irregularity, mm.
 const GREATEST: f64 = 200.0;
+
+/// Columns of a file with measured irregularities.
+pub const COLUMNS: [Column; 5] = [
+    Column {
+        name: "chainage_m",
+        unit: "m",
+        required: true,
+        bounds: None,
+        description: "Chainage, at equal distances",
+    },
+    offset("left_lateral_mm", "Left rail to the right"),
+    offset("left_vertical_mm", "Left rail down"),
+    offset("right_lateral_mm", "Right rail to the right"),
+    offset("right_vertical_mm", "Right rail down"),
+];
+
+const fn offset(name: &'static str, description: &'static str) -> Column {
+    Column { name, unit: "mm", required: true, bounds: Some([-GREATEST, GREATEST]), description }
+}
 
 /// The section as it stands in the file.
 #[derive(Debug, Deserialize, JsonSchema, Default)]
@@ -167,8 +182,9 @@ impl ShapeSection {
 fn measured(file: &Path) -> Result<Grid, Mistake> {
     let document = Document::read(file)?;
     let table = Table::new(&document)?;
-    if !table.names().eq(COLUMNS) {
-        return Err(table.error_in_names(format!("the columns must be {}", COLUMNS.join(","))));
+    let names = COLUMNS.map(|column| column.name);
+    if !table.names().eq(names) {
+        return Err(table.error_in_names(format!("the columns must be {}", names.join(","))));
     }
     let mut chainages: Vec<f64> = Vec::with_capacity(table.len());
     let mut rows: Vec<Row> = Vec::with_capacity(table.len());
@@ -186,12 +202,9 @@ fn measured(file: &Path) -> Result<Grid, Mistake> {
             return Err(table.error(i, 0, "chainages must rise in equal distances"));
         }
         let mut row = Row::default();
-        for (column, value) in row.iter_mut().enumerate() {
-            let irregularity = table.number(i, column + 1)?;
-            if irregularity.abs() > GREATEST {
-                return Err(table.error(i, column + 1, "must lie between -200 and 200 mm"));
-            }
-            *value = irregularity * 1e-3;
+        for (number, value) in row.iter_mut().enumerate() {
+            let column = number + 1;
+            *value = COLUMNS[column].value(&table, i, column)? * 1e-3;
         }
         chainages.push(chainage);
         rows.push(row);
@@ -257,7 +270,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let rows = "0,0,0,0,0\n1,1,0,1,2\n2,2,0,2,4\n3,3,0,3,6\n";
         let measured = folder.path().join("m.csv");
-        let names = COLUMNS.join(",");
+        let names = COLUMNS.map(|column| column.name).join(",");
         std::fs::write(&measured, format!("{names}\n{rows}")).unwrap();
         std::fs::write(folder.path().join("t.toml"), "irregularity.file = 'm.csv'").unwrap();
         let file = TrackFile::read(&folder.path().join("t.toml")).unwrap();

@@ -28,6 +28,7 @@ pub mod view;
 use crate::command::Command;
 
 pub use file::check_groups;
+pub use replay::LOGGER_COLUMNS;
 
 use cruise::Cruise;
 use fuzzy::Fuzzy;

@@ -25,6 +25,45 @@ use serde::Deserialize;
 
 use crate::command::{Command, EMERGENCY, HIGHEST_NOTCH};
 
+/// The columns of a logger's file, by the keys of `[replay]` that say what they are called.
+pub const LOGGER_COLUMNS: [files::Column; 6] = [
+    logged("time", "s", true, "Time, which must rise; its name is replay.time"),
+    logged("speed", "km/h", true, "Measured speed; replay.speed, in the unit of replay.speed_unit"),
+    logged(
+        "throttle",
+        "1",
+        false,
+        "Throttle or notch; replay.throttle, in parts of replay.throttle_full",
+    ),
+    logged(
+        "dynamic_brake",
+        "1",
+        false,
+        "Dynamic brake; replay.dynamic_brake, in parts of replay.dynamic_brake_full",
+    ),
+    logged(
+        "train_brake",
+        "1",
+        false,
+        "Train brake; replay.train_brake, in parts of replay.train_brake_full",
+    ),
+    logged(
+        "locomotive_brake",
+        "1",
+        false,
+        "Locomotive brake; replay.locomotive_brake, in parts of replay.locomotive_brake_full",
+    ),
+];
+
+const fn logged(
+    name: &'static str,
+    unit: &'static str,
+    required: bool,
+    description: &'static str,
+) -> files::Column {
+    files::Column { name, unit, required, bounds: None, description }
+}
+
 /// Recorded commands and speed.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Replay {

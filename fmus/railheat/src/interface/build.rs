@@ -34,13 +34,15 @@ pub(crate) fn build(
             model.map(|model| ChosenModel::Paper(Box::new(model))).map_err(ModelError::from_error)
         }
         ModelChoice::Energy => {
-            if site.date_time.is_empty() && !source.has_sun() {
+            if !source.has_sun() {
                 return Err(ModelError::new(
                     "weather_file has no columns for the sun: site.date_time must say when it is",
                 ));
             }
             let over_time = |time| source.at(time, signals, values);
-            let site = site.site(energy::line(&common)?, resources, over_time, start_time)?;
+            let ephemeris = source.ephemeris();
+            let line = energy::line(&common)?;
+            let site = site.site(line, resources, ephemeris, over_time, start_time)?;
             let constants = energy.constants(&common, site, depths)?;
             let model = EnergyModel::new(constants, wheelsets, &weather, start_time);
             model.map(|model| ChosenModel::Energy(Box::new(model))).map_err(ModelError::from_error)

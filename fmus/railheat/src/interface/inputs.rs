@@ -78,6 +78,7 @@ impl WheelInputs {
 impl From<WeatherInputs> for Weather {
     fn from(inputs: WeatherInputs) -> Self {
         let WeatherInputs { ambient, irradiance, diffuse, wind, elevation, azimuth } = inputs;
-        Self { ambient, wind, direct: irradiance, diffuse, sun: Sun { elevation, azimuth } }
+        let sun = Sun { elevation, azimuth };
+        Self { ambient, wind, direct: irradiance, diffuse, sky: None, sun }
     }
 }

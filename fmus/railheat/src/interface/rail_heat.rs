@@ -12,6 +12,7 @@ use super::chosen_model::{self, ChosenModel};
 use super::field_file::{FieldFile, Written};
 use super::inputs::WheelInputs;
 use super::parameters::common::FieldFailure;
+use super::parameters::site::SiteParameters;
 use super::shape::Shape;
 use super::signals::Signals;
 use super::weather_source::WeatherSource;
@@ -62,7 +63,8 @@ impl Model for RailHeat {
         start_time: f64,
         log: &mut Log,
     ) -> Result<Self, ModelError> {
-        let weather = WeatherSource::open(&values[signals.common.weather_file])?;
+        let site = SiteParameters::read(&signals.site, values);
+        let weather = WeatherSource::open(&values[signals.common.weather_file], &site)?;
         let model = build(signals, values, resources, &weather, start_time)?;
         let mut rail_heat = Self {
             probes: probe_elements(&signals.shape.probes, model.line())?,

@@ -11,6 +11,7 @@
 use std::path::Path;
 
 use files::{Document, Mistake};
+use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
 
 /// Name of the file in the FMU's resources folder.
@@ -27,23 +28,34 @@ pub struct Shape {
     pub probes: Vec<f64>,
 }
 
-#[derive(Deserialize)]
+/// Wheels and probes of a rail's FMU.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Content {
+    /// Number of wheelsets of each vehicle, in order from the head of the train.
     wheelsets_per_vehicle: Vec<usize>,
+    /// Depths below the running surface at which the rise is an output, mm.
     #[serde(default)]
     depths_mm: Vec<f64>,
+    /// Where temperatures are outputs.
     #[serde(default)]
     probe: Vec<Probe>,
 }
 
-#[derive(Deserialize)]
+/// Where temperatures are outputs.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Probe {
+    /// Chainage, m.
     chainage_m: f64,
 }
 
 impl Shape {
+    /// The JSON schema of the file.
+    pub fn schema() -> Schema {
+        schema_for!(Content)
+    }
+
     /// Reads `railheat.toml` from the FMU's resources folder.
     ///
     /// # Errors

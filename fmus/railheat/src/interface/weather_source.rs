@@ -5,24 +5,27 @@ use std::path::Path;
 use fmu::{ModelError, Values, Variables};
 
 use super::inputs::WeatherInputs;
+use super::parameters::site::SiteParameters;
 use super::signals::Signals;
-use crate::weather::{Weather, WeatherFile};
+use crate::weather::{Ephemeris, Weather, WeatherFile};
 
 /// Where the weather comes from.
-pub(crate) enum WeatherSource {
-    /// A file, linear between its rows.
-    File(WeatherFile),
-    /// The inputs as they are.
-    Inputs,
+pub(crate) struct WeatherSource {
+    /// The file, or the inputs as they are.
+    file: Option<WeatherFile>,
+    /// When and where it is, if the parameters say so.
+    ephemeris: Option<Ephemeris>,
 }
 
 impl WeatherSource {
     /// The file of this name, or the inputs if the name is empty.
-    pub(crate) fn open(file: &str) -> Result<Self, ModelError> {
-        if file.is_empty() {
-            return Ok(Self::Inputs);
-        }
-        WeatherFile::open(Path::new(file)).map(Self::File).map_err(ModelError::from_error)
+    pub(crate) fn open(file: &str, site: &SiteParameters) -> Result<Self, ModelError> {
+        let file = match file.is_empty() {
+            true => None,
+            false => Some(WeatherFile::open(Path::new(file)).map_err(ModelError::from_error)?),
+        };
+        let ephemeris = site.ephemeris(file.as_ref().and_then(WeatherFile::site))?;
+        Ok(Self { file, ephemeris })
     }
 
     /// The weather at a time in s.
@@ -32,25 +35,29 @@ impl WeatherSource {
         signals: &Signals,
         values: &Values,
     ) -> Result<Weather, ModelError> {
-        match self {
-            Self::File(file) => file.at(time).map_err(ModelError::from_error),
-            Self::Inputs => Ok(WeatherInputs::read(&signals.weather, values).into()),
+        match &self.file {
+            Some(file) => file.at(time, self.ephemeris.as_ref()).map_err(ModelError::from_error),
+            None => Ok(WeatherInputs::read(&signals.weather, values).into()),
         }
     }
 
-    /// Whether it says where the sun stands.
+    /// When and where it is, if the parameters say so.
+    pub(crate) fn ephemeris(&self) -> Option<Ephemeris> {
+        self.ephemeris
+    }
+
+    /// Whether it is known where the sun stands.
     pub(crate) fn has_sun(&self) -> bool {
-        match self {
-            Self::File(file) => file.has_sun(),
-            Self::Inputs => true,
-        }
+        self.ephemeris.is_some() || self.file.as_ref().is_none_or(WeatherFile::has_sun)
     }
 
     /// Refuses a time that a file does not cover.
     pub(crate) fn check_until(&self, time: f64) -> Result<(), ModelError> {
-        match self {
-            Self::File(file) => file.at(time).map(|_| ()).map_err(ModelError::from_error),
-            Self::Inputs => Ok(()),
+        match &self.file {
+            Some(file) => {
+                file.at(time, self.ephemeris.as_ref()).map(|_| ()).map_err(ModelError::from_error)
+            }
+            None => Ok(()),
         }
     }
 }

@@ -15,6 +15,10 @@ pub struct Weather {
     pub direct: f64,
     /// Diffuse irradiance of a horizontal surface D, W/m².
     pub diffuse: f64,
+    /// Thermal radiation of the sky on a horizontal surface, W/m²; none: as [`Exchange`] says.
+    ///
+    /// [`Exchange`]: super::Exchange
+    pub sky: Option<f64>,
     /// Where the sun stands.
     pub sun: Sun,
 }
@@ -23,6 +27,6 @@ impl Weather {
     /// Air of a temperature in K without wind, and no sun.
     pub const fn still(ambient: f64) -> Self {
         let sun = Sun { elevation: 0.0, azimuth: 0.0 };
-        Self { ambient, wind: 0.0, direct: 0.0, diffuse: 0.0, sun }
+        Self { ambient, wind: 0.0, direct: 0.0, diffuse: 0.0, sky: None, sun }
     }
 }

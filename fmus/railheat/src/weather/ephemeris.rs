@@ -4,13 +4,18 @@
 //! the crate `solar-positioning`. Refraction is left out: it lifts the sun by half a degree at the horizon,
 //! where it gives nearly nothing. Validated by `benchmark_sun_position`.
 
-use chrono::DateTime;
+use std::f64::consts::TAU;
+
+use chrono::{DateTime, Datelike, TimeDelta, Utc};
 use solar_positioning::time::JulianDate;
 use solar_positioning::{Location, SolarPositions, delta_t};
 
 use super::sun::Sun;
 
 const SECONDS_PER_DAY: f64 = 86_400.0;
+
+/// Irradiance outside of the atmosphere on a surface that faces the sun, mean of the year G_sc, W/m².
+const SOLAR_CONSTANT: f64 = 1367.0;
 
 /// Position on Earth and time cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -47,6 +52,8 @@ pub enum EphemerisError {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ephemeris {
     location: Location,
+    /// Date and time of the time zero.
+    begin: DateTime<Utc>,
     /// Julian date of the time zero.
     zero: f64,
     delta_t: f64,
@@ -72,7 +79,7 @@ impl Ephemeris {
         };
         let delta_t = delta_t::estimate_from_date_like(&instant).map_err(refused)?;
         let zero = JulianDate::from_datetime(&instant, delta_t).map_err(refused)?.julian_date();
-        let ephemeris = Self { location, zero, delta_t };
+        let ephemeris = Self { location, begin: instant.to_utc(), zero, delta_t };
         ephemeris.position(0.0).map_err(refused)?;
         Ok(ephemeris)
     }
@@ -81,6 +88,21 @@ impl Ephemeris {
     pub fn at(&self, time: f64) -> Sun {
         // Position and date were checked at the start; a run does not leave the years of the algorithm.
         self.position(time).unwrap_or_default()
+    }
+
+    /// Date and time at a time in s, universal time.
+    pub fn clock(&self, time: f64) -> DateTime<Utc> {
+        let since = TimeDelta::nanoseconds((1e9 * time).round() as i64);
+        self.begin.checked_add_signed(since).unwrap_or(self.begin)
+    }
+
+    /// Irradiance outside of the atmosphere on a surface that faces the sun at a time in s, W/m².
+    ///
+    /// I_0 = G_sc (1 + 0.033 cos(2π n/365)) on the day n of the year (Duffie and Beckman, *Solar Engineering
+    /// of Thermal Processes*, 4th ed. 2013, eq. 1.4.1a).
+    pub fn outside(&self, time: f64) -> f64 {
+        let day = f64::from(self.clock(time).ordinal());
+        SOLAR_CONSTANT * (1.0 + 0.033 * libm::cos(TAU * day / 365.0))
     }
 
     fn position(&self, time: f64) -> Result<Sun, solar_positioning::Error> {

@@ -27,7 +27,8 @@ pub struct Exchange {
     pub absorptivity: f64,
     /// Share of the direct irradiance that arrives f.
     pub filter: f64,
-    /// Whether the sky is colder than the air: T_s = 0.0552 T_a^1.5 (Swinbank, K).
+    /// Whether the sky is colder than the air: T_s = 0.0552 T_a^1.5 (Swinbank, K), where the weather does
+    /// not say how much it radiates.
     pub cold_sky: bool,
     /// Conductance of the foot's underside to the pad, W/(m²·K).
     pub pad: f64,
@@ -57,9 +58,13 @@ impl Exchange {
         4.0 * self.emissivity * STEFAN_BOLTZMANN * temperature.powi(3)
     }
 
-    /// Temperature of the sky, K.
-    fn sky(&self, ambient: f64) -> f64 {
-        if self.cold_sky { 0.0552 * libm::pow(ambient, 1.5) } else { ambient }
+    /// Fourth power of the sky's temperature, K⁴.
+    fn sky(&self, weather: &Weather) -> f64 {
+        match weather.sky {
+            Some(radiation) => radiation / STEFAN_BOLTZMANN,
+            None if self.cold_sky => fourth(0.0552 * libm::pow(weather.ambient, 1.5)),
+            None => fourth(weather.ambient),
+        }
     }
 }
 
@@ -135,9 +140,8 @@ impl Surface {
         if self.on_pad[piece] {
             return exchange.pad * (ambient - temperature);
         }
-        let fourth = |t: f64| (t * t) * (t * t);
         let sky = sky_share(&self.facets[piece]);
-        let seen = sky * fourth(exchange.sky(ambient)) + (1.0 - sky) * fourth(ambient);
+        let seen = sky * exchange.sky(weather) + (1.0 - sky) * fourth(ambient);
         exchange.coefficient(wind) * (ambient - temperature)
             + exchange.emissivity * STEFAN_BOLTZMANN * (seen - fourth(temperature))
     }
@@ -165,6 +169,10 @@ impl Surface {
         }
         temperature
     }
+}
+
+fn fourth(temperature: f64) -> f64 {
+    (temperature * temperature) * (temperature * temperature)
 }
 
 /// Share of the sky in what a piece of surface sees.

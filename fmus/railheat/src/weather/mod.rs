@@ -3,7 +3,8 @@
 //! | file | part |
 //! |---|---|
 //! | `conditions.rs` | the weather at a time |
-//! | `file.rs` | weather from a CSV file |
+//! | `file/` | weather from a file: rows of the run (CSV), or hours of a year (EPW) |
+//! | `erbs.rs` | the global irradiance, split into sun and sky |
 //! | `exchange.rs` | heat exchanged with air, sky, sun and pad by each piece of surface |
 //! | `sun.rs` | the sun seen from the rail, and the rail's shadow on itself |
 //! | `light.rs` | the sunlight that the surface absorbs |
@@ -12,6 +13,7 @@
 
 mod conditions;
 mod ephemeris;
+mod erbs;
 mod exchange;
 mod file;
 mod light;
@@ -20,8 +22,9 @@ mod sun;
 
 pub use conditions::Weather;
 pub use ephemeris::{Ephemeris, EphemerisError};
+pub use erbs::{diffuse_share, split};
 pub use exchange::{Exchange, Surface};
-pub use file::{HEADER, WeatherFile, WeatherFileError};
+pub use file::{COLUMNS, WeatherFile, WeatherFileError};
 pub(crate) use light::Light;
 pub use shadow::Body;
 pub use sun::Sun;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::ReferenceError;
@@ -13,7 +14,7 @@ use crate::files::file_error::FileError;
 const DEFAULT_TOLERANCE: f64 = 1e-3;
 
 /// A run from zero to a stop time.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Experiment {
     /// End of the run, s.

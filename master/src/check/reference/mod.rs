@@ -26,6 +26,7 @@ use crate::fmi::ImportError;
 use crate::system::unit::UnitError;
 
 pub use compare::{Verdict, compare};
+pub use experiment::Experiment;
 pub use files::pack;
 
 /// Why a reference result cannot be made or replayed.

@@ -26,12 +26,15 @@ pub fn compare(
         .collect::<Result<_, CompareError>>()?;
     let mut compared: Vec<Compared> = vec![];
     for other in &others {
+        let fields = other.fields(&first)?;
         compared.push(Compared {
             with: other.about(),
             inputs: other.input_differences(&first)?,
             columns: vec![],
-            only_in_first: vec![],
-            only_in_other: other.without_home(&first),
+            fields: fields.errors,
+            fields_not_compared: fields.not_compared,
+            only_in_first: fields.only_in_first,
+            only_in_other: [fields.only_in_other, other.without_home(&first)].concat(),
         });
     }
     let thinning = Thinning::of(first.column_count(), others.len());

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::about::About;
 use super::curves::Curve;
 use super::errors::ColumnErrors;
+use super::field_errors::FieldErrors;
 use super::inputs::InputDifference;
 
 /// What a comparison has found.
@@ -27,16 +28,22 @@ pub struct Compared {
     pub inputs: Vec<InputDifference>,
     /// Errors of every column that both have, in the order of the first one's tables.
     pub columns: Vec<ColumnErrors>,
-    /// Columns that only the first has; none for a measurement.
+    /// Errors of the fields of the rails that both have.
+    pub fields: Vec<FieldErrors>,
+    /// Why other fields cannot be compared, in sentences.
+    pub fields_not_compared: Vec<String>,
+    /// Columns and fields that only the first has; none for a measurement.
     pub only_in_first: Vec<String>,
-    /// Columns that only the other has, with why, where they found no home.
+    /// Columns and fields that only the other has, with why, where they found no home.
     pub only_in_other: Vec<String>,
 }
 
 impl Comparison {
-    /// The largest relative difference of all columns.
+    /// The largest relative difference of all columns and fields.
     pub fn largest_relative(&self) -> f64 {
         let columns = self.compared.iter().flat_map(|compared| &compared.columns);
-        columns.map(|column| column.relative).fold(0.0, f64::max)
+        let fields = self.compared.iter().flat_map(|compared| &compared.fields);
+        let relative = columns.map(|column| column.relative);
+        relative.chain(fields.map(|field| field.relative)).fold(0.0, f64::max)
     }
 }

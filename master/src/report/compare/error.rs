@@ -13,6 +13,9 @@ pub enum CompareError {
     /// A table cannot be read.
     #[error(transparent)]
     Series(#[from] RecordingError),
+    /// A rail's field cannot be read.
+    #[error(transparent)]
+    Field(#[from] field::FieldError),
     /// A file cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),

@@ -115,7 +115,7 @@ pub(super) fn of_column(
 }
 
 /// The difference of two values; where both are no number there is none.
-fn difference(first: f64, other: f64) -> f64 {
+pub(super) fn difference(first: f64, other: f64) -> f64 {
     match (first.is_finite(), other.is_finite()) {
         (true, true) => other - first,
         (false, false) => 0.0,

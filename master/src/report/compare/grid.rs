@@ -70,7 +70,7 @@ impl Grid {
 }
 
 /// Pairs of indices of the same time.
-fn shared(first: &[f64], other: &[f64]) -> Vec<(usize, usize)> {
+pub(super) fn shared(first: &[f64], other: &[f64]) -> Vec<(usize, usize)> {
     let (mut i, mut j, mut pairs) = (0, 0, vec![]);
     while let (Some(&a), Some(&b)) = (first.get(i), other.get(j)) {
         if (a - b).abs() <= SAME * a.abs().max(1.0) {

@@ -10,6 +10,7 @@
 //! | `inputs.rs` | inputs of two runs that differ |
 //! | `grid.rs` | times at which two curves are compared |
 //! | `errors.rs`, `texts.rs` | error measures of a column, and as people read them |
+//! | `fields.rs`, `field_errors.rs` | the temperature fields of the rails of two runs |
 //! | `curves.rs` | the curves that the page shows |
 //! | `page.rs` | the page, from `templates/compare.html` |
 //! | `error.rs` | why results cannot be compared |
@@ -20,6 +21,8 @@ mod comparison;
 mod curves;
 mod error;
 mod errors;
+mod field_errors;
+mod fields;
 mod grid;
 mod inputs;
 mod measured_unit;
@@ -34,6 +37,7 @@ pub use collect::compare;
 pub use comparison::{Compared, Comparison};
 pub use error::CompareError;
 pub use errors::ColumnErrors;
+pub use field_errors::FieldErrors;
 pub use grid::How;
 pub use inputs::InputDifference;
 pub use measurement::{Mapping, MeasurementOptions};

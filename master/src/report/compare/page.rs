@@ -9,6 +9,7 @@ use super::comparison::Comparison;
 use super::curves::Curve;
 use super::error::CompareError;
 use super::errors::ColumnErrors;
+use super::field_errors::FieldErrors;
 use super::grid::How;
 use super::inputs::InputDifference;
 use super::texts::{percent, shown};
@@ -43,6 +44,8 @@ struct Other<'a> {
     columns: Vec<Line<'a>>,
     /// The others.
     same: Vec<String>,
+    fields: Vec<FieldLine<'a>>,
+    fields_not_compared: &'a [String],
     only_in_first: &'a [String],
     only_in_other: &'a [String],
 }
@@ -59,6 +62,18 @@ struct Line<'a> {
     last: String,
     relative: String,
     times: String,
+}
+
+/// A line of the table of fields.
+#[derive(Serialize)]
+struct FieldLine<'a> {
+    field: &'a str,
+    variable: &'a str,
+    max_abs: String,
+    rms: String,
+    relative: String,
+    position: String,
+    snapshots: usize,
 }
 
 /// The numbers of the curves.
@@ -88,6 +103,8 @@ fn render(comparison: &Comparison) -> Result<String, ReportError> {
         inputs: &compared.inputs,
         columns: different(&compared.columns),
         same: same(&compared.columns),
+        fields: compared.fields.iter().map(field_line).collect(),
+        fields_not_compared: &compared.fields_not_compared,
         only_in_first: &compared.only_in_first,
         only_in_other: &compared.only_in_other,
     });
@@ -155,5 +172,18 @@ fn line(column: &ColumnErrors) -> Line<'_> {
         last,
         relative,
         times,
+    }
+}
+
+fn field_line(field: &FieldErrors) -> FieldLine<'_> {
+    let [relative, max_abs, rms] = field.texts();
+    FieldLine {
+        field: &field.field,
+        variable: field.variable,
+        max_abs,
+        rms,
+        relative,
+        position: field.position(),
+        snapshots: field.count,
     }
 }

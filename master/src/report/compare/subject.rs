@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::about::About;
 use super::error::CompareError;
+use super::fields::Fields;
 use super::inputs::{self, InputDifference};
 use super::measurement::{Measurement, MeasurementOptions};
 use super::run::{Curves, Run};
@@ -45,6 +46,14 @@ impl Subject {
         match self {
             Self::Run(run) => inputs::differences(first, run),
             Self::Measurement(_) => Ok(vec![]),
+        }
+    }
+
+    /// How its fields are from those of a run; a measurement has none.
+    pub fn fields(&self, first: &Run) -> Result<Fields, CompareError> {
+        match self {
+            Self::Run(run) => Fields::of(first, run),
+            Self::Measurement(_) => Ok(Fields::default()),
         }
     }
 

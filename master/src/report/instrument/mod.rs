@@ -71,6 +71,9 @@ pub(super) struct Instrument {
     /// Powers that are lost at the couplings of train and vehicles.
     #[serde(skip)]
     pub residual: Option<Residual>,
+    /// Where sections are, for rails that have none where their foot is warmest.
+    #[serde(skip)]
+    pub sections_elsewhere: Vec<String>,
     /// Fields that cannot be read, each in a sentence.
     #[serde(skip)]
     pub unread: Vec<String>,
@@ -93,7 +96,7 @@ impl Instrument {
     pub fn of(folder: &Path, results: &Results, rails: &[RailData]) -> Result<Self, ReportError> {
         let facts = &results.facts;
         let (train, residual) = train::Train::of(results)?;
-        let (mut of_rails, mut unread) = (vec![], vec![]);
+        let (mut of_rails, mut unread, mut sections_elsewhere) = (vec![], vec![], vec![]);
         if let Some(rail_facts) = &facts.rails {
             for (rail, store) in rails.iter().zip(&rail_facts.fields) {
                 let store = folder.join(store);
@@ -107,6 +110,10 @@ impl Instrument {
                     unread.push(format!("{error}; the report goes without it"));
                     None
                 });
+                if let Some(field) = &field {
+                    let elsewhere = sections::elsewhere(rail, &field.probes, field.element_length);
+                    sections_elsewhere.extend(elsewhere);
+                }
                 of_rails.push(rail::Rail::of(rail, field));
             }
         }
@@ -124,6 +131,7 @@ impl Instrument {
             train,
             rails: of_rails,
             residual,
+            sections_elsewhere,
             unread,
         })
     }

@@ -58,6 +58,12 @@ pub(super) struct Field {
     rise: PackedRows,
     /// The whole section at the probes, where it was kept.
     sections: Option<Sections>,
+    /// Chainage of these probes, m.
+    #[serde(skip)]
+    pub probes: Vec<f64>,
+    /// Length of an element, m.
+    #[serde(skip)]
+    pub element_length: f64,
 }
 
 impl Rail {
@@ -112,6 +118,8 @@ impl Field {
             depth: Packed::of(axes.depth.iter().copied()),
             rise: PackedRows::of(rows),
             sections: Sections::read(&reader, wanted, rails)?,
+            probes: axes.sections.as_ref().map_or(vec![], |sections| sections.chainage.clone()),
+            element_length: axes.chainage.windows(2).next().map_or(0.0, |pair| pair[1] - pair[0]),
         }))
     }
 }

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::decimate::Picks;
 use super::packed::{Packed, PackedRows};
+use crate::report::data::RailData;
 
 /// Numbers that the sections of all rails may take.
 const BUDGET: usize = 45_000;
@@ -59,6 +60,25 @@ impl Sections {
             rise: PackedRows::of(rows),
         }))
     }
+}
+
+/// Says where the sections are, and how one comes to where the foot is warmest, if none was kept there.
+pub(super) fn elsewhere(rail: &RailData, probes: &[f64], element_length: f64) -> Option<String> {
+    let key = format!("{}.foot.highest", rail.side);
+    let warmest = rail.figures.iter().find(|figure| figure.key == key)?.chainage_m?;
+    if probes.iter().any(|probe| (probe - warmest).abs() <= element_length) {
+        return None;
+    }
+    let probes: Vec<String> = probes.iter().map(|probe| format!("{probe:.1} m")).collect();
+    let kept = match probes.as_slice() {
+        [] => "no section was kept".to_owned(),
+        _ => format!("sections were kept at {} only", probes.join(", ")),
+    };
+    Some(format!(
+        "The foot of the {} rail is warmest at chainage {warmest:.1} m, but {kept}: {{ chainage_m = {warmest:.1} }} \
+         among the probes of the scenario (heat.probe) keeps the one there, with section.model = \"2d\".",
+        rail.side
+    ))
 }
 
 /// The least distance between middles of cells that differ; zero if all are the same.

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use arrow_schema::Field;
-use field::{FieldError, is_rail_field};
+use field::{FieldError, fields_in};
 
 use crate::files::file_error::FileError;
 use crate::recording::{self, Recorded, RecordingError, SeriesReader, TRAIN_TABLE};
@@ -88,7 +88,6 @@ fn energies(folder: &Path) -> Result<Vec<EnergyLine>, RecordingError> {
 
 /// Completes the fields of the rails.
 fn fields(folder: &Path) -> Result<(), CompleteError> {
-    let entries = fs::read_dir(folder).map_err(FileError::at(folder))?;
-    let fields = entries.flatten().map(|entry| entry.path()).filter(|path| is_rail_field(path));
+    let fields = fields_in(folder).map_err(FileError::at(folder))?;
     fields.into_iter().try_for_each(|field| Ok(field::complete(&field)?))
 }

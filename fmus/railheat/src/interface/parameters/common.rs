@@ -89,7 +89,7 @@ fmu::variables! {
         field_file: "field_file", String = "";
         /// What a field that cannot be written does to the run: "stop", or "go_on" without it
         field_failure: "field_failure", choice(FieldFailure) = FieldFailure::Stop;
-        /// CSV file with the weather over time, instead of the inputs; empty: the inputs
+        /// File with the weather over time, CSV or of EnergyPlus (.epw), instead of the inputs; empty: the inputs
         weather_file: "weather_file", String = "";
     }
 }

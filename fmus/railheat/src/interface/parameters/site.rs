@@ -33,7 +33,7 @@ fmu::variables! {
         shade: "train.shade", bool = true;
         /// Azimuth of the running direction where the track begins, from north over east
         azimuth: "track.azimuth", RADIAN = 0.0;
-        /// Latitude, north positive
+        /// Latitude, north positive; left at 0 with the longitude: that of an EnergyPlus weather file
         latitude: "site.latitude", RADIAN = 0.0, -FRAC_PI_2..=FRAC_PI_2;
         /// Longitude, east positive
         longitude: "site.longitude", RADIAN = 0.0, -PI..=PI;
@@ -63,10 +63,10 @@ impl SiteParameters {
         &self,
         line: Line,
         resources: &Path,
+        ephemeris: Option<Ephemeris>,
         weather: impl Fn(f64) -> Result<Weather, ModelError>,
         start: f64,
     ) -> Result<Site, ModelError> {
-        let ephemeris = self.ephemeris()?;
         Ok(Site {
             azimuth: self.azimuth(resources, &line)?,
             shade: self.body()?,
@@ -93,11 +93,20 @@ impl SiteParameters {
     }
 
     /// The sun by position and time, if the parameters say when.
-    fn ephemeris(&self) -> Result<Option<Ephemeris>, ModelError> {
+    ///
+    /// Where the weather is of, latitude and longitude in rad, is the position that is not set.
+    pub(crate) fn ephemeris(
+        &self,
+        of_weather: Option<[f64; 2]>,
+    ) -> Result<Option<Ephemeris>, ModelError> {
         if self.date_time.is_empty() {
             return Ok(None);
         }
-        let ephemeris = Ephemeris::new(&self.date_time, self.latitude, self.longitude);
+        let [latitude, longitude] = match [self.latitude, self.longitude] {
+            [0.0, 0.0] => of_weather.unwrap_or_default(),
+            set => set,
+        };
+        let ephemeris = Ephemeris::new(&self.date_time, latitude, longitude);
         ephemeris.map(Some).map_err(ModelError::from_error)
     }
 

@@ -1,4 +1,8 @@
 //! The files of a train and its line, read and checked by the models that a run gives them to.
+//!
+//! `standing.rs` says whether its vehicles stand on both rails where it starts.
+
+mod standing;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -9,6 +13,8 @@ use railheat::section::RailFile;
 use railheat::weather::WeatherFile;
 use stock::Library;
 use track::TrackFile;
+
+pub use standing::Start;
 
 /// The files of a train and its line.
 #[derive(Debug)]
@@ -59,7 +65,8 @@ impl TrainFiles<'_> {
         let mut notes = vec![];
         if driver.pulls() && !has_traction {
             notes.push(format!(
-                "{file}: the throttle does nothing, since no vehicle has [traction]"
+                "{file}: the throttle does nothing, since no vehicle has [traction]; a locomotive has it, as those that \
+                 `hotfoot stock list` shows"
             ));
         }
         if let Some(end) = driver.recorded_time().filter(|end| *end < duration) {
