@@ -5,9 +5,8 @@ use crate::profile::file::Reading;
 use crate::profile::rail::RailProfile;
 use crate::profile::wheel::WheelProfile;
 
-/// How much less than the depth of the gauge the gauge side of a rail may reach down, in m: measured and
-/// published points end where the gauge is measured, but for their rounding.
-const LACKING: f64 = 0.0005;
+/// How far aside, in m, a gauge side that ends above the depth of the gauge may be there by its tangent.
+const MOST_LACKING: f64 = 0.0025;
 
 /// Profiles of a wheel and its rail and the dimensions that place them over each other.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,7 +86,7 @@ impl ProfilePair {
             "between 0.05 and 0.1 m",
         )?;
         if let RailProfile::Points(points) = &self.rail
-            && points.gauge_depth() < self.gauge_depth - LACKING
+            && points.gauge_lacks(self.gauge_depth) > MOST_LACKING
         {
             let reason = format!(
                 "the gauge side reaches {:.1} mm below the top, but the gauge is measured {} mm below it: \
@@ -142,7 +141,8 @@ mod tests {
     /// faces stand 1435 mm apart where they do so at 14 mm: the rail stands nearer by 1.575 mm/20.
     #[test]
     fn analytic_the_gauge_is_measured_at_its_depth() {
-        let at = |gauge_depth| ProfilePair { rail_inclination: 0.0, gauge_depth, ..pair() }.rail_top();
+        let at =
+            |gauge_depth| ProfilePair { rail_inclination: 0.0, gauge_depth, ..pair() }.rail_top();
         let nearer = at(0.0159) - at(0.0143);
         assert!((nearer - 0.0016 / 20.0).abs() < 1e-6, "{nearer}");
     }
@@ -154,7 +154,10 @@ mod tests {
             (ProfilePair { rail_inclination: 0.06, ..pair() }, "rail inclination"),
             (ProfilePair { gauge: f64::NAN, ..pair() }, "gauge"),
             (ProfilePair { gauge_depth: 14.0, ..pair() }, "depth of the gauge"),
-            (ProfilePair { running_circle_from_flange_back: 0.7, ..pair() }, "running circle's distance"),
+            (
+                ProfilePair { running_circle_from_flange_back: 0.7, ..pair() },
+                "running circle's distance",
+            ),
             (ProfilePair { flange_back_distance: 1.44, ..pair() }, "flange-back distance"),
             (ProfilePair { nominal_radius: 0.0, ..pair() }, "nominal wheel radius"),
         ] {

@@ -111,10 +111,8 @@ impl WheelsetPairs {
         let Self { left, right } = self;
         let (mut left_search, mut right_search) = (Search::new(left), Search::new(right));
         let mut both = |roll: f64| -> Result<[Vec<Touch>; 2], ContactError> {
-            let both = [
-                left_search.rolled(-lateral, -roll, yaw),
-                right_search.rolled(lateral, roll, yaw),
-            ];
+            let both =
+                [left_search.rolled(-lateral, -roll, yaw), right_search.rolled(lateral, roll, yaw)];
             match both.iter().zip([left, right]).find(|(touches, _)| touches.is_empty()) {
                 Some((_, pair)) => Err(pair.no_contact(lateral)),
                 None => Ok(both),

@@ -14,6 +14,9 @@ const LEAST_STEP: f64 = 1e-6;
 /// parts overlaps by less, a side that is undercut by more.
 const MOST_BACK: f64 = 1e-3;
 
+/// Steepness with which a face at least goes on, so that it is somewhere.
+const LEAST_STEEPNESS: f64 = 0.01;
+
 /// An outline of points in m, from the gauge side or flange to the field side, and the curve through the
 /// part of it on which a wheel can run.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,8 +46,12 @@ impl PointProfile {
     /// lateral coordinate goes on.
     pub(super) fn new(name: String, kind: ProfileKind, outline: Vec<[f64; 2]>) -> Self {
         let middle = match kind {
-            ProfileKind::Wheel => outline.iter().enumerate().max_by(|a, b| a.1[1].total_cmp(&b.1[1])),
-            ProfileKind::Rail => outline.iter().enumerate().min_by(|a, b| a.1[1].total_cmp(&b.1[1])),
+            ProfileKind::Wheel => {
+                outline.iter().enumerate().max_by(|a, b| a.1[1].total_cmp(&b.1[1]))
+            }
+            ProfileKind::Rail => {
+                outline.iter().enumerate().min_by(|a, b| a.1[1].total_cmp(&b.1[1]))
+            }
         };
         let middle = middle.map_or(0, |(i, _)| i);
         let mut points = going_on(outline[..=middle].iter().rev().copied(), -1.0);
@@ -105,7 +112,9 @@ impl PointProfile {
     }
 
     /// Lateral coordinate nearest to the middle of the track between the top and `depth` metres below
-    /// it, where the gauge is measured; that of the gauge side's end if this is above it.
+    /// it, where the gauge is measured.
+    ///
+    /// Below the end of the points the face is taken as upright.
     pub(super) fn gauge_face(&self, depth: f64) -> f64 {
         let [top, height] = self.top();
         let deep = height + depth;
@@ -121,6 +130,13 @@ impl PointProfile {
             before = *point;
         }
         nearest
+    }
+
+    /// How far aside the gauge side's tangent at its end reaches the `depth` at which the gauge is measured,
+    /// m: how uncertain the gauge is where points of it are missing.
+    pub(crate) fn gauge_lacks(&self, depth: f64) -> f64 {
+        let steepness = (-self.at(self.range().0).slope).max(LEAST_STEEPNESS);
+        (depth - self.gauge_depth()).max(0.0) / steepness
     }
 
     /// How far the gauge side reaches below the top, m.
@@ -186,6 +202,7 @@ mod tests {
         let across = |y: f64| 1e-3 * (y * cosine + y * y / 100.0 * sine);
         let y = 1.25 - (900.0 * (1.0_f64 + 1.0 / 1600.0).sqrt()).sqrt();
         let beside = leaning.gauge_face(0.009) - (across(y) - across(1.25));
-        assert!(beside.abs() < 2e-6, "{beside}");
+        // Between points 1 mm apart the face is their chord.
+        assert!(beside.abs() < 5e-6, "{beside}");
     }
 }

@@ -45,11 +45,8 @@ impl Spline {
         let of = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
         let along = derivatives(&lengths, &of(0), rising);
         let down = derivatives(&lengths, &of(1), monotone);
-        let knot = |i: usize| Knot {
-            length: lengths[i],
-            at: points[i],
-            direction: [along[i], down[i]],
-        };
+        let knot =
+            |i: usize| Knot { length: lengths[i], at: points[i], direction: [along[i], down[i]] };
         Self { knots: (0..points.len()).map(knot).collect() }
     }
 
@@ -114,8 +111,7 @@ impl Piece {
 
     /// dy/ds and dz/ds.
     fn direction(&self, t: f64) -> [f64; 2] {
-        self.coordinates
-            .map(|[_, c1, c2, c3]| (c1 + t * (2.0 * c2 + t * 3.0 * c3)) / self.length)
+        self.coordinates.map(|[_, c1, c2, c3]| (c1 + t * (2.0 * c2 + t * 3.0 * c3)) / self.length)
     }
 
     /// Where the lateral coordinate is `y`: Newton's method, halved where it leaves the bracket.

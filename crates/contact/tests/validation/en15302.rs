@@ -16,13 +16,15 @@ const ANNEX_E: &str = include_str!("en15302/en15302-annex-e.csv");
 fn annex_e(case: &str) -> Vec<[f64; 4]> {
     let begin = format!("{case},");
     let rows = ANNEX_E.lines().filter_map(|line| line.strip_prefix(&begin));
-    let numbers = |row: &str| row.split(',').map(|number| number.parse().unwrap()).collect::<Vec<_>>();
+    let numbers =
+        |row: &str| row.split(',').map(|number| number.parse().unwrap()).collect::<Vec<_>>();
     rows.map(|row| numbers(row).try_into().unwrap()).collect()
 }
 
 /// Wheels of 920 mm on upright rails, 1435.16 mm apart.
 fn pair(wheel: &str) -> ProfilePair {
-    let file = |name: &str| format!("{}/tests/validation/en15302/{name}", env!("CARGO_MANIFEST_DIR"));
+    let file =
+        |name: &str| format!("{}/tests/validation/en15302/{name}", env!("CARGO_MANIFEST_DIR"));
     let (wheel, rail) = (file(wheel), file("SUIC519A.dat"));
     ProfilePair {
         gauge: 1.43516,
@@ -40,11 +42,11 @@ fn pair(wheel: &str) -> ProfilePair {
 #[test]
 fn benchmark_en_15302_annex_e() {
     for (case, wheel) in [("E1", "RUIC519A.dat"), ("E2", "RUIC519B.dat")] {
-        let conicity = EquivalentConicity::new(&WheelsetPairs::alike(&pair(wheel)), 7.5 * MM).unwrap();
+        let conicity =
+            EquivalentConicity::new(&WheelsetPairs::alike(&pair(wheel)), 7.5 * MM).unwrap();
         let mut worst = 0.0_f64;
         for [amplitude, expected, greatest, least] in annex_e(case) {
             let found = conicity.at(amplitude * MM).unwrap();
-            println!("{case} {amplitude} {expected} {found:.4} {least} {greatest}");
             let band = if found > expected { greatest - expected } else { expected - least };
             worst = worst.max((found - expected).abs() / band);
             assert!(
@@ -64,7 +66,9 @@ fn benchmark_en_15302_annex_e() {
             }
         }
         Bound {
-            case: &format!("equivalent conicity, {case}, 1 to 7.5 mm, share of the standard's band"),
+            case: &format!(
+                "equivalent conicity, {case}, 1 to 7.5 mm, share of the standard's band"
+            ),
             limit: "below 1",
             obtained: &format!("{worst:.2}"),
         }

@@ -77,10 +77,20 @@ fn wheel(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str,
     let flange = dimensions::Flange::new(file.profile.outline(), circle);
     let known = |length: Option<f64>| length.map_or("not in the points".into(), mm);
     vec![
-        ("flange back", format!("{} from the running circle, in the points {}", mm(circle), mm(-file.profile.range().0))),
+        (
+            "flange back",
+            format!(
+                "{} from the running circle, in the points {}",
+                mm(circle),
+                mm(-file.profile.range().0)
+            ),
+        ),
         ("running circle", format!("at 0, where the slope is {:.5}", file.profile.at(0.0).slope)),
         ("flange height", format!("{} (Sh)", mm(flange.height))),
-        ("flange thickness", format!("{} (Sd, 10 mm beyond the running circle)", known(flange.thickness))),
+        (
+            "flange thickness",
+            format!("{} (Sd, 10 mm beyond the running circle)", known(flange.thickness)),
+        ),
         ("flange gradient", format!("{} (qR)", known(flange.gradient))),
     ]
 }

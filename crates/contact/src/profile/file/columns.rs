@@ -34,7 +34,8 @@ impl Columns {
                         && digit(rest.chars().next())
                 })
             };
-            parts.len() > 1 && parts.iter().all(|part| inside(part) || !part.contains(','))
+            parts.len() > 1
+                && parts.iter().all(|part| inside(part) || !part.contains(','))
                 && parts.iter().any(inside)
         });
         if !decimal_comma && !lines.clone().any(|line| line.contains('.')) {

@@ -61,7 +61,15 @@ pub(super) fn parse(
         notes.push(format!("XYPoints = {count}, but {} points are there", points.len()));
     }
     let format = ProfileFormat::MiniProf;
-    Ok(Parsed { format, kind: None, per_metre, clean: false, points, from_flange_back: false, notes })
+    Ok(Parsed {
+        format,
+        kind: None,
+        per_metre,
+        clean: false,
+        points,
+        from_flange_back: false,
+        notes,
+    })
 }
 
 /// What the header says.
@@ -117,7 +125,8 @@ impl Header {
             "yoffset" => self.offset[1] = number()?,
             "xypoints" => self.count = value.parse().ok(),
             "columndef" => {
-                let names: Vec<_> = value.split(',').map(|name| name.trim().to_uppercase()).collect();
+                let names: Vec<_> =
+                    value.split(',').map(|name| name.trim().to_uppercase()).collect();
                 let column = |wanted: &str| names.iter().position(|name| name == wanted);
                 let (Some(x), Some(y)) = (column("X"), column("Y")) else {
                     return Err(format!("{line}: the columns X and Y are needed"));
@@ -150,7 +159,11 @@ mod tests {
             "#MINIWHEELPROF\nCar_1.whl\nMINIPROF 2020\nStock.......:\n\" 32.58 37.11 14.71\n(Sd/Sh/qR)\n\n",
             "MINIPROF 101 148 1994 3 24\navg.prd\nWheel ID....:\n32.58 37.11 14.71  (Sd/Sh/qR)\n\n",
         ] {
-            assert_eq!(coordinates(&format!("{header}-0.1 -22.0\n 70.0\t0\n")), expected, "{header}");
+            assert_eq!(
+                coordinates(&format!("{header}-0.1 -22.0\n 70.0\t0\n")),
+                expected,
+                "{header}"
+            );
         }
     }
 

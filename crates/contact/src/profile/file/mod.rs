@@ -119,7 +119,8 @@ impl ProfileFile {
         if let (Some(wanted), Some(found)) = (kind, parsed.kind)
             && wanted != found
         {
-            let reason = format!("the file says that it is the profile of a {found}, not of a {wanted}");
+            let reason =
+                format!("the file says that it is the profile of a {found}, not of a {wanted}");
             return Err(parsed::wrong(name, reason));
         }
         let kind = kind.or(parsed.kind).or_else(|| by_ending(name));

@@ -59,8 +59,7 @@ pub(super) fn refuse_gaps(points: &[FilePoint], name: &str) -> Result<(), Contac
 
 /// Length of the line through the points, m.
 fn length(points: &[FilePoint]) -> f64 {
-    let step = |pair: &[FilePoint]| {
-        (pair[1].at[0] - pair[0].at[0]).hypot(pair[1].at[1] - pair[0].at[1])
-    };
+    let step =
+        |pair: &[FilePoint]| (pair[1].at[0] - pair[0].at[0]).hypot(pair[1].at[1] - pair[0].at[1]);
     points.windows(2).map(step).sum()
 }

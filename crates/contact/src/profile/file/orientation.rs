@@ -34,7 +34,9 @@ pub(super) fn orient(parsed: &mut Parsed, kind: ProfileKind, reading: &Reading) 
     };
     if mirrored {
         parsed.points.iter_mut().for_each(|point| point.at[0] = -point.at[0]);
-        parsed.notes.push("lateral coordinates count towards the middle of the track in the file".into());
+        parsed
+            .notes
+            .push("lateral coordinates count towards the middle of the track in the file".into());
     }
     if kind == ProfileKind::Wheel {
         from_running_circle(parsed, reading.running_circle);

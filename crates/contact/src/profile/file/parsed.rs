@@ -97,7 +97,15 @@ pub(super) fn parse(
     let lines = lines.skip_while(above).filter(|(_, line)| !line.is_empty());
     let points = points(name, lines, [0, 1], per_metre)?;
     let clean = text.starts_with(CLEAN);
-    Ok(Parsed { format, kind: None, per_metre, clean, points, from_flange_back: false, notes: vec![] })
+    Ok(Parsed {
+        format,
+        kind: None,
+        per_metre,
+        clean,
+        points,
+        from_flange_back: false,
+        notes: vec![],
+    })
 }
 
 /// The points in these lines, each with its index from 0; `at` are the columns of coordinate and height.
@@ -156,7 +164,11 @@ mod tests {
     fn what_stands_above_the_points_is_passed_over() {
         let expected = [[-0.06, 0.025], [0.01, 0.0]];
         for above in ["", "y;z\n", "521\n", "\"lateral (mm)\", \"height (mm)\"\n", "# -5 3\n\n"] {
-            assert_eq!(coordinates(&format!("{above}-60 25\n10 0\n"), "p.txt"), expected, "{above}");
+            assert_eq!(
+                coordinates(&format!("{above}-60 25\n10 0\n"), "p.txt"),
+                expected,
+                "{above}"
+            );
         }
         let words = parse("0 0\n1 x\n", "p.txt", None).unwrap_err().to_string();
         assert!(words.contains("p.txt: line 2: expected two numbers, found \"1 x\""), "{words}");

@@ -208,7 +208,9 @@ mod tests {
     #[test]
     fn what_a_header_wants_in_vain_is_answered_with_its_line() {
         let message = |lines: &str| parsed(lines).unwrap_err().to_string();
-        assert!(message("rotate = left").contains("p.prw: line 5: rotate = left: expected a number"));
+        assert!(
+            message("rotate = left").contains("p.prw: line 5: rotate = left: expected a number")
+        );
         assert!(message("mirror.y = 2").contains("must be 0 or 1"));
         assert!(message("units.len.f = -1").contains("greater than zero"));
         assert!(message("shift.y = left").contains("expected a number"));

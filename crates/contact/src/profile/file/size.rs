@@ -50,9 +50,11 @@ fn near(parsed: &Parsed, point: &FilePoint, name: &str) -> Result<(), ContactErr
         let likely = unit(parsed, extent(&parsed.points), &[ProfileKind::Wheel, ProfileKind::Rail]);
         let hint = match likely {
             Some(unit) => unit,
-            None => "are the lengths in mm, with decimal points, or units.len.f as many as a metre \
+            None => {
+                "are the lengths in mm, with decimal points, or units.len.f as many as a metre \
                      has (1000 for mm)?"
-                .into(),
+                    .into()
+            }
         };
         let reason = format!(
             "the {what} is {}; it must lie within {} of the origin: {hint}",

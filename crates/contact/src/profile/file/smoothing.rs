@@ -119,7 +119,8 @@ mod tests {
     fn analytic_what_a_wave_keeps_of_its_amplitude() {
         for (length, kept) in [(4e-3, 0.5), (10.4e-3, 0.97), (2e-3, 0.0098)] {
             let wave = |y: f64| 1e-7 * (TAU * y / length).sin();
-            let points: Vec<_> = (0..1000).map(|i| f64::from(i) * 1e-4).map(|y| [y, wave(y)]).collect();
+            let points: Vec<_> =
+                (0..1000).map(|i| f64::from(i) * 1e-4).map(|y| [y, wave(y)]).collect();
             let (smooth, _) = smoothed(&points, WAVELENGTH);
             let dot = |heights: &[[f64; 2]]| -> f64 {
                 heights[200..800].iter().map(|p| p[1] * wave(p[0])).sum()

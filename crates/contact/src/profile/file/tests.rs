@@ -64,7 +64,10 @@ fn property_a_wheel_is_the_same_in_every_format() {
     let commas = lines(&points).replace(' ', ";").replace('.', ",");
     let metres = format!(
         "header.begin\ntype = 1\nheader.end\nspline.begin\nunits.len.f = 1\npoint.begin\n{}point.end\nspline.end\n",
-        each(|[y, z]| [y * MM, z * MM]).iter().map(|[y, z]| format!("{y:.7} {z:.7}\n")).collect::<String>()
+        each(|[y, z]| [y * MM, z * MM])
+            .iter()
+            .map(|[y, z]| format!("{y:.7} {z:.7}\n"))
+            .collect::<String>()
     );
     for (text, name, note) in [
         (lines(&points), "w.txt", None),
@@ -125,10 +128,7 @@ fn property_rounded_and_noisy_points_come_out_smooth() {
                 let (found, expected) = (file.profile.at(lateral), clean.at(lateral));
                 let square = 1.0 / (1.0 + expected.slope * expected.slope).sqrt();
                 let off = (found.height - expected.height) * square;
-                assert!(
-                    off.abs() < 2.0 * deviation,
-                    "{kind}, {noise} µm: {off} m at {lateral} m"
-                );
+                assert!(off.abs() < 2.0 * deviation, "{kind}, {noise} µm: {off} m at {lateral} m");
             }
         }
     }
@@ -220,9 +220,8 @@ fn what_is_no_wheel_and_no_rail_is_told() {
         let line = |(y, z)| format!("{} {}\n", scale * f64::from(y), scale * f64::from(z));
         points.map(line).concat()
     };
-    let as_kind = |text: &str, kind| {
-        ProfileFile::of_text(text, "p.txt", Some(kind), &Reading::default())
-    };
+    let as_kind =
+        |text: &str, kind| ProfileFile::of_text(text, "p.txt", Some(kind), &Reading::default());
     let message = |text: &str, kind| as_kind(text, kind).unwrap_err().to_string();
     assert!(as_kind(&text(1.0), ProfileKind::Wheel).is_ok());
     let small = message(&text(0.5), ProfileKind::Wheel);
@@ -234,7 +233,10 @@ fn what_is_no_wheel_and_no_rail_is_told() {
     let wide = message("-60 9\n-40 4\n-20 1\n0 0\n20 1\n40 4\n60 9", ProfileKind::Rail);
     assert!(wide.contains("the width of the rail's head is 120.0 mm"), "{wide}");
     let gap = message("-30 4\n-20 2\n0 0\n21 2\n30 4", ProfileKind::Rail);
-    assert!(gap.starts_with("p.txt: line 4: 21.0 mm across the track from the point before"), "{gap}");
+    assert!(
+        gap.starts_with("p.txt: line 4: 21.0 mm across the track from the point before"),
+        "{gap}"
+    );
     let aside = message("10 25\n30 20\n50 9\n70 0\n90 -1\n110 -2", ProfileKind::Wheel);
     assert!(aside.contains("from 10.0 to 110.0 mm"), "{aside}");
     assert!(message("0 0\n1 1\n", ProfileKind::Wheel).contains("p.txt: only 2 points"));
