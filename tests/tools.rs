@@ -54,10 +54,8 @@ fn a_profile_is_understood_drawn_and_written() {
     let folder = tempfile::tempdir().unwrap();
     let (plot, clean) = (folder.path().join("worn.svg"), folder.path().join("worn.txt"));
     let [plot, clean] = [&plot, &clean].map(|path| path.to_str().unwrap());
-    let output = hotfoot(
-        root(),
-        &["profile", "tests/profiles/worn.prw", "--plot", plot, "--write", clean],
-    );
+    let output =
+        hotfoot(root(), &["profile", "tests/profiles/worn.prw", "--plot", plot, "--write", clean]);
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(text.contains("SIMPACK") && text.contains(plot) && text.contains(clean), "{text}");

@@ -63,7 +63,10 @@ fn the_gauge_point_is_that_of_the_depth() {
         text.trim_start_matches("at ").split(' ').next().unwrap().parse::<f64>().unwrap()
     };
     let (shallow, deep) = (at(&[]), at(&["--gauge-depth-mm", "15.875"]));
-    assert!((-35.6..-35.4).contains(&shallow) && (-35.8..shallow).contains(&deep), "{shallow} {deep}");
+    assert!(
+        (-35.6..-35.4).contains(&shallow) && (-35.8..shallow).contains(&deep),
+        "{shallow} {deep}"
+    );
     let missing = told(&shipped("rail-two-points.txt"), &[]);
     assert!(value(&missing, "gauge point").contains("they end 11.9"), "{missing}");
 }
@@ -77,9 +80,9 @@ fn lengths_in_another_unit_are_written_in_mm() {
     let metres: String = clean
         .lines()
         .map(|line| {
-            let numbers = line.split_whitespace().map(|number| {
-                format!("{:.7} ", 1e-3 * number.parse::<f64>().unwrap())
-            });
+            let numbers = line
+                .split_whitespace()
+                .map(|number| format!("{:.7} ", 1e-3 * number.parse::<f64>().unwrap()));
             numbers.collect::<String>() + "\n"
         })
         .collect();
@@ -94,7 +97,8 @@ fn lengths_in_another_unit_are_written_in_mm() {
     assert_eq!(value(&again, "smoothed"), "no");
     assert_eq!(number(&again, "flange height"), number(&text, "flange height"));
     let svg = std::fs::read_to_string(&plot).unwrap();
-    for name in ["height in mm", "angle in degrees", "removed by smoothing in µm", "running circle"] {
+    for name in ["height in mm", "angle in degrees", "removed by smoothing in µm", "running circle"]
+    {
         assert!(svg.contains(name), "{name} is missing");
     }
 }

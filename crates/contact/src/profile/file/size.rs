@@ -13,14 +13,13 @@ const MOST_POINTS: usize = 20_000;
 /// Fewest points of a profile.
 const FEWEST_POINTS: usize = 5;
 
-/// Units with their name and how many of them a metre has.
-const UNITS: [(&str, f64); 6] = [
-    ("metres", 1.0),
-    ("centimetres", 100.0),
-    ("millimetres", 1e3),
-    ("inches", 1e3 / 25.4),
-    ("hundredths of a millimetre", 1e5),
-    ("micrometres", 1e6),
+/// Units with their name, how many of them a metre has, and their name in `hotfoot profile --unit`.
+const UNITS: [(&str, f64, &str); 5] = [
+    ("metres", 1.0, "m"),
+    ("centimetres", 100.0, "cm"),
+    ("millimetres", 1e3, "mm"),
+    ("inches", 1e3 / 25.4, "in"),
+    ("micrometres", 1e6, "um"),
 ];
 
 /// Refuses a file whose points are too few, too many, or far from the origin.
@@ -47,15 +46,15 @@ fn near(parsed: &Parsed, point: &FilePoint, name: &str) -> Result<(), ContactErr
         if value.abs() <= FARTHEST {
             continue;
         }
-        let likely = unit(parsed, extent(&parsed.points), &[ProfileKind::Wheel, ProfileKind::Rail]);
-        let hint = match likely {
-            Some(unit) => unit,
-            None => {
-                "are the lengths in mm, with decimal points, or units.len.f as many as a metre \
-                     has (1000 for mm)?"
-                    .into()
-            }
-        };
+        let far = parsed.points.iter().filter(|point| point.at.iter().any(|v| v.abs() > FARTHEST));
+        let kinds = [ProfileKind::Wheel, ProfileKind::Rail];
+        let all_are = 2 * far.count() > parsed.points.len();
+        let likely = if all_are { unit(parsed, extent(&parsed.points), &kinds) } else { None };
+        let hint = likely.unwrap_or_else(|| {
+            "is the number right, and are the lengths in mm, with decimal points, or units.len.f as \
+             many as a metre has (1000 for mm)?"
+                .into()
+        });
         let reason = format!(
             "the {what} is {}; it must lie within {} of the origin: {hint}",
             millimetres(value),
@@ -115,10 +114,12 @@ fn unit(parsed: &Parsed, width: f64, kinds: &[ProfileKind]) -> Option<String> {
         per_metre != parsed.per_metre
             && kinds.iter().any(|kind| kind.widths().contains(&(lengths / per_metre)))
     };
-    let (unit, per_metre) = UNITS.iter().find(|(_, per_metre)| fits(*per_metre))?;
+    let (unit, per_metre, option) = UNITS.iter().find(|(_, per_metre, _)| fits(*per_metre))?;
     let remedy = match parsed.format {
         ProfileFormat::Simpack => format!("write units.len.f = {per_metre}"),
-        _ => "write them in mm, or let `hotfoot profile FILE --unit UNIT --write NEW` do it".into(),
+        _ => format!(
+            "write them in mm, or let `hotfoot profile FILE --unit {option} --write NEW` do it"
+        ),
     };
     Some(format!("are the lengths {unit}? Then {remedy}"))
 }

@@ -193,7 +193,7 @@ fn a_running_circle_elsewhere_is_asked_for() {
 #[test]
 fn lengths_in_another_unit_are_told() {
     for (per_metre, unit) in
-        [(1.0, "metres"), (100.0, "centimetres"), (1e3 / 25.4, "inches"), (1e5, "hundredths")]
+        [(1.0, "metres"), (100.0, "centimetres"), (1e3 / 25.4, "inches"), (1e6, "micrometres")]
     {
         let scaled: String = wheel()
             .iter()
