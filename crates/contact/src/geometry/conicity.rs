@@ -135,14 +135,14 @@ impl EquivalentConicity {
             self.integral_to(middle + amplitude) - self.integral_to(middle - amplitude)
         };
         let count = (room / self.step).ceil() as i32;
-        let place = |i: i32| room * f64::from(i) / f64::from(count.max(1));
+        let middle_at = |i: i32| room * f64::from(i) / f64::from(count.max(1));
         let mut middles = vec![];
         // That of equal wheels is the middle of the track, but for rounding.
         if work(0.0).abs() <= LEAST * amplitude * amplitude {
             middles.push(0.0);
         }
         for i in -count..count {
-            let (mut low, mut high) = (place(i), place(i + 1));
+            let (mut low, mut high) = (middle_at(i), middle_at(i + 1));
             let rises = work(low) < 0.0;
             if rises == (work(high) < 0.0) {
                 continue;

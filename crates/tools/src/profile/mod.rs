@@ -26,7 +26,7 @@ pub fn profile(arguments: &ProfileArguments) -> Result<String, ToolError> {
     let kind = arguments.kind.map(Into::into);
     let file = ProfileFile::read(&arguments.file, kind, &arguments.reading())?;
     let mut text = String::new();
-    for (name, value) in told(arguments, &file) {
+    for (name, value) in understood(arguments, &file) {
         text += &format!("{name:<18} {value}\n");
     }
     if let Some(plot) = &arguments.plot {
@@ -42,9 +42,9 @@ pub fn profile(arguments: &ProfileArguments) -> Result<String, ToolError> {
 }
 
 /// Names and values.
-fn told(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str, String)> {
+fn understood(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str, String)> {
     let (begin, end) = file.profile.range();
-    let mut told = vec![
+    let mut understood = vec![
         ("file", arguments.file.display().to_string()),
         ("profile", file.kind.to_string()),
         ("format", file.format.to_string()),
@@ -53,8 +53,8 @@ fn told(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str, 
         ("curve", format!("from {} to {}", mm(begin), mm(end))),
     ];
     match file.kind {
-        ProfileKind::Wheel => told.extend(wheel(arguments, file)),
-        ProfileKind::Rail => told.extend(rail(arguments, file)),
+        ProfileKind::Wheel => understood.extend(wheel(arguments, file)),
+        ProfileKind::Rail => understood.extend(rail(arguments, file)),
     }
     let smooth = match file.wavelength > 0.0 {
         true => format!("to a wavelength of {} mm", file.wavelength / MM),
@@ -67,9 +67,9 @@ fn told(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str, 
         1e6 * roughness.largest,
         mm(roughness.at)
     );
-    told.extend([("smoothed", smooth), ("removed", removed)]);
-    told.extend(file.notes.iter().map(|note| ("note", note.clone())));
-    told
+    understood.extend([("smoothed", smooth), ("removed", removed)]);
+    understood.extend(file.notes.iter().map(|note| ("note", note.clone())));
+    understood
 }
 
 fn wheel(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str, String)> {

@@ -7,7 +7,7 @@ use crate::table::{arguments, refusal};
 const PROFILES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/profiles");
 
 /// What is understood of a file.
-fn told(file: &str, words: &[&str]) -> String {
+fn understood(file: &str, words: &[&str]) -> String {
     let words = [&[file], words].concat();
     let arguments = arguments::<ProfileArguments>(&words).expect("arguments that can be typed");
     profile(&arguments).expect("a profile")
@@ -32,7 +32,7 @@ fn number(text: &str, name: &str) -> f64 {
 /// smoothing moves of the flange's tip, of 12 mm radius.
 #[test]
 fn benchmark_the_flange_of_s1002() {
-    let text = told(&shipped("wheel-clean.txt"), &[]);
+    let text = understood(&shipped("wheel-clean.txt"), &[]);
     assert_eq!(value(&text, "profile"), "wheel");
     assert_eq!(value(&text, "format"), "columns");
     assert_eq!(value(&text, "unit"), "mm");
@@ -47,11 +47,11 @@ fn benchmark_the_flange_of_s1002() {
 /// What rounding to 0.01 mm has is taken away: 0.01 mm/sqrt(12) = 2.9 µm rms.
 #[test]
 fn analytic_the_roughness_of_rounded_points() {
-    let text = told(&shipped("rail-rounded.txt"), &[]);
+    let text = understood(&shipped("rail-rounded.txt"), &[]);
     let rms = number(&text, "removed");
     assert!((2.3..3.3).contains(&rms), "{text}");
     assert!(value(&text, "smoothed").contains("4 mm"));
-    let as_it_is = told(&shipped("rail-rounded.txt"), &["--smoothing-mm", "0"]);
+    let as_it_is = understood(&shipped("rail-rounded.txt"), &["--smoothing-mm", "0"]);
     assert_eq!(number(&as_it_is, "removed"), 0.0);
 }
 
@@ -59,7 +59,7 @@ fn analytic_the_roughness_of_rounded_points() {
 #[test]
 fn the_gauge_point_is_that_of_the_depth() {
     let at = |words: &[&str]| {
-        let text = value(&told(&shipped("rail-clean.txt"), words), "gauge point");
+        let text = value(&understood(&shipped("rail-clean.txt"), words), "gauge point");
         text.trim_start_matches("at ").split(' ').next().unwrap().parse::<f64>().unwrap()
     };
     let (shallow, deep) = (at(&[]), at(&["--gauge-depth-mm", "15.875"]));
@@ -67,7 +67,7 @@ fn the_gauge_point_is_that_of_the_depth() {
         (-35.6..-35.4).contains(&shallow) && (-35.8..shallow).contains(&deep),
         "{shallow} {deep}"
     );
-    let missing = told(&shipped("rail-two-points.txt"), &[]);
+    let missing = understood(&shipped("rail-two-points.txt"), &[]);
     assert!(value(&missing, "gauge point").contains("they end 11.9"), "{missing}");
 }
 
@@ -91,9 +91,9 @@ fn lengths_in_another_unit_are_written_in_mm() {
     assert!(message.contains("are the lengths metres? Then"), "{message}");
     let (new, plot) = (path("new.txt"), path("new.svg"));
     let words = ["--kind", "wheel", "--unit", "m", "--write", &new, "--plot", &plot];
-    let text = told(&path("metres.txt"), &words);
+    let text = understood(&path("metres.txt"), &words);
     assert_eq!((value(&text, "unit"), value(&text, "written to")), ("m".into(), new.clone()));
-    let again = told(&new, &[]);
+    let again = understood(&new, &[]);
     assert_eq!(value(&again, "smoothed"), "no");
     assert_eq!(number(&again, "flange height"), number(&text, "flange height"));
     let svg = std::fs::read_to_string(&plot).unwrap();

@@ -81,7 +81,7 @@ fn property_a_wheel_is_the_same_in_every_format() {
     ] {
         let file = read(&text, name).unwrap();
         is_s1002(&file, 6e-6);
-        let noted = note.is_none_or(|note| file.notes.iter().any(|told| told.contains(note)));
+        let noted = note.is_none_or(|note| file.notes.iter().any(|found| found.contains(note)));
         assert!(noted, "{name}: {:?}", file.notes);
         assert!(note.is_some() || file.notes.is_empty(), "{name}: {:?}", file.notes);
     }
