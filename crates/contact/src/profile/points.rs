@@ -1,11 +1,8 @@
 //! A profile through points, on which a wheel runs.
 
-use super::file::{self, ProfileFile, Reading};
 use super::kind::ProfileKind;
 use super::point::ProfilePoint;
 use super::spline::Spline;
-use crate::error::ContactError;
-use std::path::Path;
 
 /// Least distance of two points across the track that counts as going on, in m.
 const LEAST_STEP: f64 = 1e-6;
@@ -30,16 +27,6 @@ pub struct PointProfile {
 }
 
 impl PointProfile {
-    /// The points of a `name` that is a file; nothing if it is none.
-    pub(super) fn named(
-        name: &str,
-        kind: ProfileKind,
-        reading: &Reading,
-    ) -> Option<Result<Self, ContactError>> {
-        let read = || ProfileFile::read(Path::new(name), Some(kind), reading);
-        file::is_file(name).then(|| read().map(|file| file.profile))
-    }
-
     /// The profile of this outline.
     ///
     /// The curve reaches from the tip of the flange or the top of the rail both ways as far as the

@@ -1,6 +1,6 @@
 //! The profiles a rail can have.
 
-use super::file::Reading;
+use super::file::{self, Reading};
 use super::kind::ProfileKind;
 use super::point::ProfilePoint;
 use super::points::PointProfile;
@@ -44,7 +44,7 @@ impl RailProfile {
             "AS60" => Ok(Self::RailAs60),
             "UIC60-manchester" => Ok(Self::Uic60Manchester),
             "round-300" => Ok(Self::Round300),
-            _ => match PointProfile::named(name, ProfileKind::Rail, reading) {
+            _ => match file::named(name, ProfileKind::Rail, reading) {
                 Some(points) => Ok(Self::Points(Arc::new(points?))),
                 None => Err(ContactError::UnknownRailProfile { name: name.into() }),
             },

@@ -1,7 +1,7 @@
 //! The profiles a wheel can have.
 
 use super::cone::Cone;
-use super::file::Reading;
+use super::file::{self, Reading};
 use super::kind::ProfileKind;
 use super::point::ProfilePoint;
 use super::points::PointProfile;
@@ -37,7 +37,7 @@ impl WheelProfile {
         if name == "S1002" {
             return Ok(Self::S1002);
         }
-        if let Some(points) = PointProfile::named(name, ProfileKind::Wheel, reading) {
+        if let Some(points) = file::named(name, ProfileKind::Wheel, reading) {
             return Ok(Self::Points(Arc::new(points?)));
         }
         name.strip_prefix("cone-1-")

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use contact::{ProfileKind, Reading};
 
-use super::MM;
+use super::dimensions::MM;
 use crate::number::{not_negative, positive};
 
 /// Arguments of `hotfoot profile`.

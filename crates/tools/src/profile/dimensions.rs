@@ -1,6 +1,7 @@
 //! Lengths by which people know a profile.
 
-use super::MM;
+/// A millimetre, in m.
+pub(super) const MM: f64 = 1e-3;
 
 /// Height beyond the running circle at which the thickness of a flange is measured, m (EN 15313).
 const THICKNESS_AT: f64 = 10.0 * MM;

@@ -15,8 +15,7 @@ use contact::{ProfileFile, ProfileKind};
 pub use arguments::ProfileArguments;
 
 use crate::error::ToolError;
-
-const MM: f64 = 1e-3;
+use dimensions::MM;
 
 /// What was understood of the file, a line each; draws and writes what the options name.
 ///

@@ -2,8 +2,8 @@
 
 use contact::{ProfileFile, ProfileKind};
 
-use super::dimensions::gauge_point;
-use super::{MM, ProfileArguments};
+use super::arguments::ProfileArguments;
+use super::dimensions::{MM, gauge_point};
 use crate::plot::{BLACK, BLUE, Curve, Page, Panel, SKY, VERMILION};
 
 /// Points of the curve that are drawn.

@@ -2,8 +2,10 @@
 //!
 //! | file | part |
 //! |---|---|
+//! | `reading.rs` | what may be said beside the file |
 //! | `text.rs` | bytes to text: encodings, the size of a file |
-//! | `parsed.rs` | text to points, by the format |
+//! | `format.rs` | text to points, by the format |
+//! | `parsed.rs` | what stands in a file |
 //! | `columns.rs` | numbers in lines |
 //! | `miniprof.rs`, `simpack.rs` | the formats that have a header |
 //! | `size.rs` | whether the lengths can be those of a wheel or rail, and in which unit |
@@ -13,11 +15,13 @@
 //! | `outline.rs` | whether the outline is that of a wheel or a rail |
 
 mod columns;
+mod format;
 mod miniprof;
 mod order;
 mod orientation;
 mod outline;
 mod parsed;
+mod reading;
 mod simpack;
 mod size;
 mod smoothing;
@@ -30,43 +34,8 @@ use super::points::PointProfile;
 use crate::error::ContactError;
 
 pub use parsed::ProfileFormat;
+pub use reading::Reading;
 pub use smoothing::Roughness;
-
-/// Endings of names that are files of points, in any case.
-const ENDINGS: [&str; 10] =
-    ["prw", "prr", "whl", "ban", "wheel", "rail", "txt", "csv", "dat", "asc"];
-
-/// How a file of points is to be read.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
-    /// Distance of the running circle from the flange back of a wheel, m.
-    pub running_circle: f64,
-    /// Cut-off wavelength to which the outline is made smooth, m; 0 leaves the points as they are.
-    pub wavelength: f64,
-    /// Lengths in the file for a metre, if the file does not say it or is wrong.
-    pub per_metre: Option<f64>,
-    /// Whether a rail is to be turned round, so that its other side is that of the gauge.
-    pub mirrored: bool,
-}
-
-impl Reading {
-    /// Distance of the running circle from the flange back where nothing is said, m (EN 13715).
-    pub const RUNNING_CIRCLE: f64 = 0.070;
-
-    /// Cut-off wavelength of smoothing where nothing is said, m.
-    pub const WAVELENGTH: f64 = 0.004;
-}
-
-impl Default for Reading {
-    fn default() -> Self {
-        Self {
-            running_circle: Self::RUNNING_CIRCLE,
-            wavelength: Self::WAVELENGTH,
-            per_metre: None,
-            mirrored: false,
-        }
-    }
-}
 
 /// A file of points and what was understood of it.
 #[derive(Clone, Debug)]
@@ -114,7 +83,7 @@ impl ProfileFile {
         kind: Option<ProfileKind>,
         reading: &Reading,
     ) -> Result<Self, ContactError> {
-        let mut parsed = parsed::parse(text, name, reading.per_metre)?;
+        let mut parsed = format::parse(text, name, reading.per_metre)?;
         size::check_points(&parsed, name)?;
         if let (Some(wanted), Some(found)) = (kind, parsed.kind)
             && wanted != found
@@ -123,7 +92,7 @@ impl ProfileFile {
                 format!("the file says that it is the profile of a {found}, not of a {wanted}");
             return Err(parsed::wrong(name, reason));
         }
-        let kind = kind.or(parsed.kind).or_else(|| by_ending(name));
+        let kind = kind.or(parsed.kind).or_else(|| format::kind(name));
         let kind = kind.unwrap_or_else(|| size::kind(&parsed.points));
         size::check_unit(&parsed, kind, name)?;
         orientation::orient(&mut parsed, kind, reading);
@@ -161,19 +130,14 @@ impl ProfileFile {
     }
 }
 
-/// Whether `name` is that of a file of points.
-pub(super) fn is_file(name: &str) -> bool {
-    let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
-    ending.is_some_and(|ending| ENDINGS.contains(&&*ending))
-}
-
-/// The kind of profile that the ending of a name says.
-fn by_ending(name: &str) -> Option<ProfileKind> {
-    match &*name.rsplit('.').next()?.to_ascii_lowercase() {
-        "prw" | "whl" | "wheel" => Some(ProfileKind::Wheel),
-        "prr" | "ban" | "rail" => Some(ProfileKind::Rail),
-        _ => None,
-    }
+/// The profile of a `name` that is a file of points; nothing if it is none.
+pub(super) fn named(
+    name: &str,
+    kind: ProfileKind,
+    reading: &Reading,
+) -> Option<Result<PointProfile, ContactError>> {
+    let read = || ProfileFile::read(Path::new(name), Some(kind), reading);
+    format::is_file(name).then(|| read().map(|file| file.profile))
 }
 
 #[cfg(test)]

@@ -6,8 +6,8 @@
 //! senses of a wheel, the crown the sense of a rail's height. Which side of a rail is that of the gauge
 //! can be seen only if it reaches deeper than the other.
 
-use super::Reading;
 use super::parsed::{Parsed, ProfileFormat};
+use super::reading::Reading;
 use crate::profile::kind::ProfileKind;
 
 /// How much deeper the gauge side of a measured rail must reach than the field side to be known by it, m.

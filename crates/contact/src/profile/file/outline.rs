@@ -1,7 +1,7 @@
 //! Whether an outline is that of a wheel or a rail.
 
-use super::Reading;
 use super::parsed::{millimetres, wrong};
+use super::reading::Reading;
 use crate::error::ContactError;
 use crate::profile::kind::ProfileKind;
 use crate::profile::points::PointProfile;
