@@ -5,7 +5,7 @@
 //! | file | command |
 //! |---|---|
 //! | `contact/` | `hotfoot contact`: how a wheelset touches its rails |
-//! | `profile/` | `hotfoot profile`: what is understood of a file of points |
+//! | `contact/profile/` | `hotfoot profile`: what is understood of a file of points |
 //! | `creep/` | `hotfoot creep`: creep forces, friction power and flash temperature |
 //! | `modes.rs` | `hotfoot modes`: natural frequencies, damping and shapes of a vehicle |
 //! | `critical_speed.rs` | `hotfoot critical-speed`: the speed at which it becomes unstable |
@@ -25,11 +25,11 @@ mod error;
 pub mod modes;
 pub mod number;
 mod plot;
-pub mod profile;
 pub mod rolling_stock;
 pub mod schema;
 pub mod train_files;
 mod vehicle_argument;
 
+pub use self::contact::profile;
 pub use error::ToolError;
 pub use vehicle_argument::VehicleArgument;

@@ -14,8 +14,9 @@ const MOST_BACK: f64 = 1e-3;
 /// Steepness with which a face at least goes on, so that it is somewhere.
 const LEAST_STEEPNESS: f64 = 0.01;
 
-/// An outline of points in m, from the gauge side or flange to the field side, and the curve through the
-/// part of it on which a wheel can run.
+/// An outline of points in m, and the curve through the part of it on which a wheel can run.
+///
+/// Points stand from the gauge side or flange to the field side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointProfile {
     name: String,
@@ -119,8 +120,9 @@ impl PointProfile {
         nearest
     }
 
-    /// How far aside the gauge side's tangent at its end reaches the `depth` at which the gauge is measured,
-    /// m: how uncertain the gauge is where points of it are missing.
+    /// How uncertain the gauge is, in m, where points of it are missing.
+    ///
+    /// It is how far aside the gauge side's tangent at its end reaches the `depth` of the gauge.
     pub(crate) fn gauge_lacks(&self, depth: f64) -> f64 {
         let steepness = (-self.at(self.range().0).slope).max(LEAST_STEEPNESS);
         (depth - self.gauge_depth()).max(0.0) / steepness

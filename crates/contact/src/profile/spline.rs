@@ -143,7 +143,7 @@ pub(super) fn lengths(points: &[[f64; 2]]) -> Vec<f64> {
     let mut length = 0.0;
     let mut before = points.first().copied().unwrap_or_default();
     let grown = |point: &[f64; 2]| {
-        length += (point[0] - before[0]).hypot(point[1] - before[1]);
+        length += libm::hypot(point[0] - before[0], point[1] - before[1]);
         before = *point;
         length
     };

@@ -13,8 +13,9 @@ const ROUNDING: f64 = 1e-6;
 /// Distance within the body from which a wheel or rail is seen, m.
 const INSIDE: f64 = 0.3;
 
-/// Brings the points into the order of the outline, from the gauge side or flange to the field side, and
-/// notes it where the file has another one.
+/// Brings the points into the order of the outline, from the gauge side or flange to the field side.
+///
+/// It is noted where the file has another one.
 ///
 /// Seen from within the body the outline goes round from one side to the other, so that the angle sorts
 /// its points. Where the points as they stand make the shorter line, they stay as they are: parts that
@@ -59,7 +60,8 @@ pub(super) fn refuse_gaps(points: &[FilePoint], name: &str) -> Result<(), Contac
 
 /// Length of the line through the points, m.
 fn length(points: &[FilePoint]) -> f64 {
-    let step =
-        |pair: &[FilePoint]| (pair[1].at[0] - pair[0].at[0]).hypot(pair[1].at[1] - pair[0].at[1]);
+    let step = |pair: &[FilePoint]| {
+        libm::hypot(pair[1].at[0] - pair[0].at[0], pair[1].at[1] - pair[0].at[1])
+    };
     points.windows(2).map(step).sum()
 }

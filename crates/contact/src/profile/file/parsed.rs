@@ -62,7 +62,9 @@ pub(super) const CLEAN: &str = "# clean profile";
 /// Millimetres: what a file without a unit has.
 pub(super) const PER_METRE: f64 = 1e3;
 
-/// The points in these lines, each with its index from 0; `at` are the columns of coordinate and height.
+/// The points in these lines, each with its index from 0.
+///
+/// `at` are the columns of coordinate and height.
 ///
 /// # Errors
 /// When a line has no number in each of these columns.

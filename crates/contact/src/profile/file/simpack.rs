@@ -101,7 +101,7 @@ impl Header {
         let mut before: Option<[f64; 2]> = None;
         for point in points {
             let [y, z] = point.at;
-            if before.is_some_and(|[p, q]| (y - p).hypot(z - q) < self.least_distance) {
+            if before.is_some_and(|[p, q]| libm::hypot(y - p, z - q) < self.least_distance) {
                 continue;
             }
             before = Some([y, z]);

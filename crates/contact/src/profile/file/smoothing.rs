@@ -97,7 +97,7 @@ fn roughness(points: &[[f64; 2]], smooth: &[[f64; 2]]) -> Roughness {
         let (before, after) = (smooth[i.saturating_sub(1)], smooth[(i + 1).min(last)]);
         let (along, down) = (after[0] - before[0], after[1] - before[1]);
         let across = (point[1] - on[1]) * along - (point[0] - on[0]) * down;
-        let distance = across.abs() / along.hypot(down).max(f64::MIN_POSITIVE);
+        let distance = across.abs() / libm::hypot(along, down).max(f64::MIN_POSITIVE);
         found.rms += distance * distance;
         if distance > found.largest {
             (found.largest, found.at) = (distance, on[0]);
