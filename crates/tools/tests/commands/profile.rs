@@ -68,7 +68,7 @@ fn the_gauge_point_is_that_of_the_depth() {
         "{shallow} {deep}"
     );
     let missing = understood(&shipped("rail-two-points.txt"), &[]);
-    assert!(value(&missing, "gauge point").contains("they end 11.9"), "{missing}");
+    assert!(value(&missing, "gauge point").contains("they end 11.8"), "{missing}");
 }
 
 /// Metres are refused with the unit, and written in mm with it; the new file is the same wheel.

@@ -84,7 +84,7 @@ fn wheel(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str,
                 mm(-file.profile.range().0)
             ),
         ),
-        ("running circle", format!("at 0, where the slope is {:.5}", file.profile.at(0.0).slope)),
+        ("running circle", format!("at 0, where the slope is {:.4}", file.profile.at(0.0).slope)),
         ("flange height", format!("{} (Sh)", mm(flange.height))),
         (
             "flange thickness",
