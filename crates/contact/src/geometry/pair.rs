@@ -78,13 +78,15 @@ impl ProfilePair {
         check("rail inclination", self.rail_inclination, 0.0, 0.05, "between 0 and 1/20")?;
         check("gauge", self.gauge, 0.3, 2.5, "between 0.3 and 2.5 m")?;
         check("depth of the gauge", self.gauge_depth, 0.005, 0.03, "between 0.005 and 0.03 m")?;
-        check(
-            "running circle's distance from the flange back",
-            self.running_circle_from_flange_back,
-            0.05,
-            0.1,
-            "between 0.05 and 0.1 m",
-        )?;
+        let (least, most, allowed) = match &self.wheel {
+            WheelProfile::Points(_) => (0.05, 0.1, "between 0.05 and 0.1 m"),
+            // The shipped profiles have their flange back there.
+            WheelProfile::S1002 | WheelProfile::Cone(_) => {
+                (0.0699, 0.0701, "0.07 m for a profile that is no file")
+            }
+        };
+        let circle = self.running_circle_from_flange_back;
+        check("running circle's distance from the flange back", circle, least, most, allowed)?;
         if let RailProfile::Points(points) = &self.rail
             && points.gauge_lacks(self.gauge_depth) > MOST_LACKING
         {
@@ -155,7 +157,7 @@ mod tests {
             (ProfilePair { gauge: f64::NAN, ..pair() }, "gauge"),
             (ProfilePair { gauge_depth: 14.0, ..pair() }, "depth of the gauge"),
             (
-                ProfilePair { running_circle_from_flange_back: 0.7, ..pair() },
+                ProfilePair { running_circle_from_flange_back: 0.075, ..pair() },
                 "running circle's distance",
             ),
             (ProfilePair { flange_back_distance: 1.44, ..pair() }, "flange-back distance"),
