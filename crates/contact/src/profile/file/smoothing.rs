@@ -10,8 +10,8 @@
 //! (a Gaussian regression filter of second order, ISO 16610-31 without its robust weights). Of a wave
 //! of the length L it leaves (1 + q) exp(−q) with q = (2 π σ/L)²/2: half at the cut-off wavelength λ, as
 //! ISO 16610-21 defines it, 97 % at 2.6 λ and 1 % at 0.5 λ. The filter of that standard, the plain mean
-//! with Gauss's weights, would lift a flange root of R 13 mm by σ²/(2 R), 50 µm at λ = 4 mm; a parabola
-//! has no such error, and where an arc of 13 mm meets a plane it leaves 5 µm.
+//! with Gauss's weights (σ = 0.187 λ), would lift a flange root of R 13 mm by σ²/(2 R), 22 µm at
+//! λ = 4 mm; a parabola has no such error, and where an arc of 13 mm meets a plane it leaves 5 µm.
 
 use crate::profile::spline::lengths;
 
