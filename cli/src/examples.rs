@@ -65,7 +65,14 @@ Examples:
 pub const CONTACT: &str = "\
 Examples:
   hotfoot contact --wheel S1002 --rail 60E1 --from-mm -6 --to-mm 6
-  hotfoot contact --wheel cone-1-20 --plot cone.svg";
+  hotfoot contact --wheel cone-1-20 --plot cone.svg
+  hotfoot contact --left-radius 0.459 --roll off --from-mm 1 --to-mm 7";
+
+/// Of `hotfoot profile`.
+pub const PROFILE: &str = "\
+Examples:
+  hotfoot profile tests/profiles/worn.prw
+  hotfoot profile tests/profiles/worn.prw --plot worn.svg --write worn-clean.txt";
 
 /// Of `hotfoot creep`.
 pub const CREEP: &str = "\

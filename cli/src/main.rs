@@ -13,7 +13,7 @@
 //! | `options.rs` | the options that several commands have |
 //! | `output.rs` | what is printed, and the message of an error |
 //!
-//! `modes`, `contact`, `creep` and `critical-speed` stand in the library `tools` (`crates/tools`).
+//! `modes`, `contact`, `profile`, `creep` and `critical-speed` stand in the library `tools` (`crates/tools`).
 
 mod check;
 mod examples;
@@ -32,7 +32,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::{CommandFactory, Parser, Subcommand};
 use hotfoot::shipped;
-use tools::{ToolError, contact, creep, critical_speed, modes};
+use tools::{ToolError, contact, creep, critical_speed, modes, profile};
 
 use crate::fmu::{interface, pack};
 use crate::output::{Reported, is_closed_pipe, message, tell};
@@ -102,6 +102,9 @@ enum Command {
     /// How a wheelset touches its rails over the lateral displacement
     #[command(after_help = examples::CONTACT)]
     Contact(contact::ContactArguments),
+    /// What is understood of a file of points of a wheel or rail, and a clean file of it
+    #[command(after_help = examples::PROFILE)]
+    Profile(profile::ProfileArguments),
     /// Creep forces, friction power and flash temperature of one contact
     #[command(after_help = examples::CREEP)]
     Creep(creep::CreepArguments),
@@ -171,6 +174,7 @@ fn carry_out(command: Command) -> Result<u8> {
             print(modes::modes(&arguments))
         }
         Command::Contact(arguments) => print(contact::contact(&arguments)),
+        Command::Profile(arguments) => print(profile::profile(&arguments)),
         Command::Creep(arguments) => print(creep::creep(&arguments)),
         Command::CriticalSpeed(mut arguments) => {
             arguments.vehicle.or_library(shipped::folder("stock"));

@@ -12,6 +12,7 @@ const VEHICLE: &[&str] = &[
     "vehicle/README.md",
     "vehicle/frames.md",
     "vehicle/suspension.md",
+    "vehicle/profiles.md",
     "vehicle/contact-geometry.md",
     "vehicle/hertz.md",
     "vehicle/creep.md",

@@ -5,7 +5,7 @@
 pub enum ContactError {
     /// No wheel profile has this name.
     #[error(
-        "there is no wheel profile \"{name}\"; known are S1002, cone-1-n with n from 5 to 200, such as cone-1-20, and files of points that end in .prw, .txt or .csv"
+        "there is no wheel profile \"{name}\"; known are S1002, cone-1-n with n from 5 to 200, such as cone-1-20, and files of points that end in .prw, .whl, .wheel, .txt, .csv, .dat or .asc"
     )]
     UnknownWheelProfile {
         /// Name that was asked for.
@@ -13,7 +13,7 @@ pub enum ContactError {
     },
     /// No rail profile has this name.
     #[error(
-        "there is no rail profile \"{name}\"; known are 60E1, AS60, UIC60-manchester, round-300, and files of points that end in .prr, .txt or .csv"
+        "there is no rail profile \"{name}\"; known are 60E1, AS60, UIC60-manchester, round-300, and files of points that end in .prr, .ban, .rail, .txt, .csv, .dat or .asc"
     )]
     UnknownRailProfile {
         /// Name that was asked for.

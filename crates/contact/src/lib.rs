@@ -3,6 +3,7 @@
 //! | part | what it answers | source |
 //! |---|---|---|
 //! | [`WheelProfile`], [`RailProfile`] | the shape of wheel and rail | EN 13715, EN 13674-1 |
+//! | [`ProfileFile`] | what was understood of a file of points | ISO 16610-31 for smoothing |
 //! | [`GeometryTable`] | where a wheel touches at a lateral shift, made once for a [`ProfilePair`] | quasi-elastic search |
 //! | [`wheelset_geometry`] | both wheels of a rolled wheelset at once, for validation | rigid wheelset |
 //! | [`EquivalentConicity`] | the cone with the same wavelength | EN 15302 |
@@ -40,9 +41,13 @@ pub use geometry::contact_point::{ContactPatch, ContactPoint};
 pub use geometry::pair::ProfilePair;
 pub use geometry::patch_at::{PatchAt, PressedPatch, RowPosition, WheelPosition};
 pub use geometry::table::GeometryTable;
-pub use geometry::wheelset::{WheelContact, WheelsetGeometry, wheelset_geometry};
+pub use geometry::wheelset::{
+    Roll, WheelContact, WheelsetGeometry, WheelsetPairs, wheelset_geometry,
+};
 pub use material::{Material, STEEL};
 pub use profile::cone::Cone;
+pub use profile::file::{ProfileFile, ProfileFormat, Reading, Roughness};
+pub use profile::kind::ProfileKind;
 pub use profile::point::ProfilePoint;
 pub use profile::points::PointProfile;
 pub use profile::rail::RailProfile;

@@ -38,8 +38,8 @@ pub struct WheelsetData {
     pub wheel: WheelData,
     /// How easily creep moves its contacts.
     pub slip_mobility: SlipMobility,
-    /// Contact geometry of its wheels on the rails.
-    pub table: Arc<GeometryTable>,
+    /// Contact geometry of its left and its right wheel on their rails.
+    pub tables: [Arc<GeometryTable>; 2],
     /// Vertical load of each of its wheels at rest on straight level track, N.
     pub static_wheel_load: f64,
     /// Share of the vehicle's traction force.

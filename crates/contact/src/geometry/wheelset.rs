@@ -32,7 +32,25 @@ pub struct WheelContact {
     pub hertz: UnitContact,
 }
 
-/// A wheelset with both wheels in contact.
+/// How a wheelset rolls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Roll {
+    /// So that both wheels touch their rails, as a rigid wheelset does.
+    Free,
+    /// By this angle in rad, positive with the right side down, whether both wheels touch or not.
+    Fixed(f64),
+}
+
+/// The left and the right wheel of a wheelset, each with its rail.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WheelsetPairs {
+    /// Wheel and rail on the left.
+    pub left: ProfilePair,
+    /// Wheel and rail on the right.
+    pub right: ProfilePair,
+}
+
+/// A wheelset over its rails.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WheelsetGeometry {
     /// Roll in rad, positive with the right side down.
@@ -41,16 +59,18 @@ pub struct WheelsetGeometry {
     pub left: Vec<WheelContact>,
     /// Contacts of the right wheel, likewise.
     pub right: Vec<WheelContact>,
+    /// Nominal radius of the right wheel less that of the left, in m.
+    nominal_difference: f64,
 }
 
 impl WheelsetGeometry {
     /// Rolling radius of the right wheel less that of the left at their first contacts, in m.
     pub fn radius_difference(&self) -> f64 {
-        self.right[0].radius_change - self.left[0].radius_change
+        self.nominal_difference + self.right[0].radius_change - self.left[0].radius_change
     }
 }
 
-/// The displaced and yawed wheelset, rolled so that both wheels touch.
+/// The displaced and yawed wheelset of equal wheels, rolled so that both touch.
 ///
 /// It is displaced by `lateral` metres to the right at the height of its axle and yawed by `yaw` rad.
 ///
@@ -61,33 +81,70 @@ pub fn wheelset_geometry(
     lateral: f64,
     yaw: f64,
 ) -> Result<WheelsetGeometry, ContactError> {
-    pair.check()?;
-    let mut search = Search::new(pair);
-    let mut both = |roll: f64| -> Result<[Vec<Touch>; 2], ContactError> {
-        let both = [search.rolled(-lateral, -roll, yaw), search.rolled(lateral, roll, yaw)];
-        if both.iter().any(Vec::is_empty) {
-            return Err(ContactError::NoContact {
-                wheel: pair.wheel.name(),
-                rail: pair.rail.name(),
-                shift_mm: 1e3 * lateral,
-            });
-        }
-        Ok(both)
-    };
-    // The right wheel touches higher than the left one as long as the wheelset rolls too far right.
-    let (mut low, mut high) = (-LARGEST_ROLL, LARGEST_ROLL);
-    for _ in 0..HALVINGS {
-        let roll = 0.5 * (low + high);
-        let [left, right] = both(roll)?;
-        if drop(&right) > drop(&left) {
-            low = roll;
-        } else {
-            high = roll;
-        }
+    WheelsetPairs::alike(pair).geometry(lateral, yaw, Roll::Free)
+}
+
+impl WheelsetPairs {
+    /// The same pair on both sides.
+    pub fn alike(pair: &ProfilePair) -> Self {
+        Self { left: pair.clone(), right: pair.clone() }
     }
-    let roll = 0.5 * (low + high);
-    let [left, right] = both(roll)?.map(|touches| contacts(pair, &touches));
-    Ok(WheelsetGeometry { roll, left, right })
+
+    /// Refuses dimensions that no railway has.
+    pub(super) fn check(&self) -> Result<(), ContactError> {
+        self.left.check()?;
+        self.right.check()
+    }
+
+    /// The wheelset displaced by `lateral` metres to the right at the height of its axle, yawed by `yaw`
+    /// rad, and rolled.
+    ///
+    /// # Errors
+    /// When a dimension of a pair is out of range or a wheel stands beside its rail.
+    pub fn geometry(
+        &self,
+        lateral: f64,
+        yaw: f64,
+        roll: Roll,
+    ) -> Result<WheelsetGeometry, ContactError> {
+        self.check()?;
+        let Self { left, right } = self;
+        let (mut left_search, mut right_search) = (Search::new(left), Search::new(right));
+        let mut both = |roll: f64| -> Result<[Vec<Touch>; 2], ContactError> {
+            let both =
+                [left_search.rolled(-lateral, -roll, yaw), right_search.rolled(lateral, roll, yaw)];
+            match both.iter().zip([left, right]).find(|(touches, _)| touches.is_empty()) {
+                Some((_, pair)) => Err(pair.no_contact(lateral)),
+                None => Ok(both),
+            }
+        };
+        let roll = match roll {
+            Roll::Fixed(roll) => roll,
+            Roll::Free => {
+                // The right wheel touches higher than the left one as long as the wheelset rolls too far
+                // to the right; the axle of a smaller wheel comes lower.
+                let smaller = right.nominal_radius - left.nominal_radius;
+                let (mut low, mut high) = (-LARGEST_ROLL, LARGEST_ROLL);
+                for _ in 0..HALVINGS {
+                    let roll = 0.5 * (low + high);
+                    let [left, right] = both(roll)?;
+                    if drop(&right) - smaller > drop(&left) {
+                        low = roll;
+                    } else {
+                        high = roll;
+                    }
+                }
+                0.5 * (low + high)
+            }
+        };
+        let [on_left, on_right] = both(roll)?;
+        Ok(WheelsetGeometry {
+            roll,
+            left: contacts(left, &on_left),
+            right: contacts(right, &on_right),
+            nominal_difference: right.nominal_radius - left.nominal_radius,
+        })
+    }
 }
 
 /// Where the first contact touches.

@@ -1,5 +1,7 @@
 //! The profiles a rail can have.
 
+use super::file::{self, Reading};
+use super::kind::ProfileKind;
 use super::point::ProfilePoint;
 use super::points::PointProfile;
 use super::rail_head::RailHead;
@@ -29,13 +31,21 @@ impl RailProfile {
     /// # Errors
     /// When no profile has this name; the message lists the names.
     pub fn named(name: &str) -> Result<Self, ContactError> {
+        Self::read(name, &Reading::default())
+    }
+
+    /// The same, with a file read in this way.
+    ///
+    /// # Errors
+    /// As [`Self::named`].
+    pub fn read(name: &str, reading: &Reading) -> Result<Self, ContactError> {
         match name {
             "60E1" => Ok(Self::Rail60E1),
             "AS60" => Ok(Self::RailAs60),
             "UIC60-manchester" => Ok(Self::Uic60Manchester),
             "round-300" => Ok(Self::Round300),
-            _ => match PointProfile::named(name) {
-                Some(points) => Ok(Self::Points(Arc::new(points?.of_rail()?))),
+            _ => match file::named(name, ProfileKind::Rail, reading) {
+                Some(points) => Ok(Self::Points(Arc::new(points?))),
                 None => Err(ContactError::UnknownRailProfile { name: name.into() }),
             },
         }

@@ -1,6 +1,8 @@
 //! The profiles a wheel can have.
 
 use super::cone::Cone;
+use super::file::{self, Reading};
+use super::kind::ProfileKind;
 use super::point::ProfilePoint;
 use super::points::PointProfile;
 use super::s1002;
@@ -24,11 +26,19 @@ impl WheelProfile {
     /// # Errors
     /// When no profile has this name; the message lists the names. When a file has no usable points.
     pub fn named(name: &str) -> Result<Self, ContactError> {
+        Self::read(name, &Reading::default())
+    }
+
+    /// The same, with a file read in this way.
+    ///
+    /// # Errors
+    /// As [`Self::named`].
+    pub fn read(name: &str, reading: &Reading) -> Result<Self, ContactError> {
         if name == "S1002" {
             return Ok(Self::S1002);
         }
-        if let Some(points) = PointProfile::named(name) {
-            return Ok(Self::Points(Arc::new(points?.of_wheel()?)));
+        if let Some(points) = file::named(name, ProfileKind::Wheel, reading) {
+            return Ok(Self::Points(Arc::new(points?)));
         }
         name.strip_prefix("cone-1-")
             .and_then(|ratio| ratio.parse().ok())
@@ -65,10 +75,5 @@ impl WheelProfile {
             Self::Cone(cone) => cone.at(lateral),
             Self::Points(points) => points.at(lateral),
         }
-    }
-
-    /// Distance from the flange back to the running circle, in m (EN 13715).
-    pub fn running_circle_from_flange_back(&self) -> f64 {
-        0.070
     }
 }

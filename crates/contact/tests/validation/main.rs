@@ -7,6 +7,8 @@
 //! | `profiles.rs` | EN 13715, EN 13674-1, points of the Manchester benchmark |
 //! | `manchester.rs` | Manchester contact benchmark, geometry: a rigid search, and CONTACT |
 //! | `manchester_forces.rs` | the same, creep forces and friction power of CONTACT |
+//! | `en15302.rs` | annex E of EN 15302: equivalent conicity |
+//! | `measured.rs` | profiles as they are measured, against the clean ones |
 //! | `geometry.rs` | the geometry table's own laws |
 //! | `pressed.rs` | a loaded contact as the gradient of its energy |
 //! | `fastsim.rs` | FASTSIM and modified FASTSIM of CONTACT: force and friction power |
@@ -14,12 +16,14 @@
 //! | `shen_hedrick_elkins.rs` | CONTACT; Kalker's linear forces |
 //! | `properties.rs` | creep forces for any slip |
 
+mod en15302;
 mod fastsim;
 mod geometry;
 mod hertz;
 mod kalker;
 mod manchester;
 mod manchester_forces;
+mod measured;
 mod polach;
 mod pressed;
 mod profiles;

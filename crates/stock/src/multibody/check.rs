@@ -115,6 +115,9 @@ impl<'a> Checker<'a> {
         let back = contact.flange_back_distance_mm;
         let gauge = contact.gauge_mm;
         check.between("flange_back_distance_mm", back, gauge - 150.0, gauge - 30.0)?;
+        check.between("gauge_depth_mm", contact.gauge_depth_mm, 5.0, 30.0)?;
+        check.between("running_circle_mm", contact.running_circle_mm, 50.0, 100.0)?;
+        check.between("profile_smoothing_mm", contact.profile_smoothing_mm, 0.0, 20.0)?;
         check.between("damping_s_m", contact.damping_s_m, 0.0, 10.0)?;
         contact.creep.check(&check.section("creep"))
     }

@@ -87,16 +87,46 @@ pub struct WheelRailContact {
     pub wheel: String,
     /// Name of the rail profile, such as `"60E1"`, or the path of a file of points.
     pub rail: String,
+    /// Profile of the left wheels, if it differs from `wheel`.
+    #[serde(default)]
+    pub left_wheel: Option<String>,
+    /// Profile of the left rail, if it differs from `rail`.
+    #[serde(default)]
+    pub left_rail: Option<String>,
     /// Inclination of the rails, 0.025 for 1:40.
     pub rail_inclination: f64,
     /// Track gauge, mm.
     pub gauge_mm: f64,
+    /// Depth below the top of the rail to which the gauge is measured, mm.
+    #[serde(default = "gauge_depth_mm")]
+    pub gauge_depth_mm: f64,
     /// Distance of the flange backs of a wheelset, mm.
     pub flange_back_distance_mm: f64,
+    /// Distance of the running circle from the flange back, mm.
+    #[serde(default = "running_circle_mm")]
+    pub running_circle_mm: f64,
+    /// Wavelength to which profiles from files are made smooth, mm; 0 leaves them as they are.
+    #[serde(default = "profile_smoothing_mm")]
+    pub profile_smoothing_mm: f64,
     /// Damping force over normal force for a speed of approach, s/m.
     pub damping_s_m: f64,
     /// Creep law with its friction.
     pub creep: CreepLaw,
+}
+
+/// EN 13848-1.
+fn gauge_depth_mm() -> f64 {
+    14.0
+}
+
+/// EN 13715.
+fn running_circle_mm() -> f64 {
+    70.0
+}
+
+/// As `hotfoot profile` has it.
+fn profile_smoothing_mm() -> f64 {
+    4.0
 }
 
 /// A car body or a bogie frame.

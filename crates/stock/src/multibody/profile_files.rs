@@ -16,7 +16,11 @@ pub(crate) fn find(
     library: &Path,
     check: &Check,
 ) -> Result<(), Mistake> {
-    for (key, name) in [("wheel", &mut contact.wheel), ("rail", &mut contact.rail)] {
+    let WheelRailContact { wheel, rail, left_wheel, left_rail, .. } = contact;
+    let both = [("wheel", Some(wheel)), ("rail", Some(rail))];
+    let left = [("left_wheel", left_wheel.as_mut()), ("left_rail", left_rail.as_mut())];
+    for (key, name) in both.into_iter().chain(left) {
+        let Some(name) = name else { continue };
         let path = Path::new(name.as_str());
         if path.extension().is_none() {
             continue;

@@ -89,6 +89,14 @@ fn golden_values_of_a_vehicle() {
             "2:30: multibody.contact.gauge_mm = 1.435: must lie between 300 and 2500",
         ),
         (
+            "multibody.contact.gauge_depth_mm = 0.014",
+            "2:36: multibody.contact.gauge_depth_mm = 0.014: must lie between 5 and 30",
+        ),
+        (
+            "multibody.contact.running_circle_mm = 7",
+            "2:39: multibody.contact.running_circle_mm = 7: must lie between 50 and 100",
+        ),
+        (
             "multibody.contact.creep.friction = 36",
             "2:36: multibody.contact.creep.friction = 36: must lie between 0.01 and 1",
         ),

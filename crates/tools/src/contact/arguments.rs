@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use contact::Roll;
 
 use crate::number::{not_negative, number, positive};
 
@@ -15,18 +16,36 @@ pub struct ContactArguments {
     /// Rail profile: a name such as 60E1 or AS60, or a file of points
     #[arg(long, default_value = "60E1")]
     pub(super) rail: String,
+    /// Wheel profile on the left, if it differs
+    #[arg(long)]
+    pub(super) left_wheel: Option<String>,
+    /// Rail profile on the left, if it differs
+    #[arg(long)]
+    pub(super) left_rail: Option<String>,
     /// Inclination of the rails, 0.025 for 1:40
     #[arg(long, default_value_t = 0.025, value_parser = not_negative)]
     pub(super) inclination: f64,
     /// Track gauge, mm
     #[arg(long, default_value_t = 1435.0, value_parser = positive)]
     pub(super) gauge_mm: f64,
+    /// Depth below the top of the rail to which the gauge is measured, mm; 15.875 in North America
+    #[arg(long, default_value_t = 14.0, value_parser = positive)]
+    pub(super) gauge_depth_mm: f64,
     /// Distance of the flange backs, mm
     #[arg(long, default_value_t = 1360.0, value_parser = positive)]
     pub(super) flange_back_distance_mm: f64,
+    /// Distance of the running circle from the flange back, mm
+    #[arg(long, default_value_t = 70.0, value_parser = positive)]
+    pub(super) running_circle_mm: f64,
+    /// Wavelength to which files of points are made smooth, mm; 0 leaves them as they are
+    #[arg(long, default_value_t = 4.0, value_parser = not_negative)]
+    pub(super) smoothing_mm: f64,
     /// Radius of the wheels at the running circle, m
     #[arg(long, default_value_t = 0.46, value_parser = positive)]
     pub(super) radius: f64,
+    /// Radius of the left wheel, if it differs, m
+    #[arg(long, value_parser = positive)]
+    pub(super) left_radius: Option<f64>,
     /// Vertical load of a wheel, N, for the sizes of the patches
     #[arg(long, default_value_t = 100e3, value_parser = positive)]
     pub(super) load: f64,
@@ -42,7 +61,22 @@ pub struct ContactArguments {
     /// Yaw of the wheelset, mrad
     #[arg(long, default_value_t = 0.0, value_parser = number, allow_hyphen_values = true)]
     pub(super) yaw_mrad: f64,
+    /// Roll of the wheelset: free (both wheels touch), off, or an angle, right side down, mrad
+    #[arg(long, default_value = "free", value_parser = roll, allow_hyphen_values = true)]
+    pub(super) roll: Roll,
     /// Draw the values into this SVG file instead of printing them
     #[arg(long, value_name = "FILE.svg")]
     pub(super) plot: Option<PathBuf>,
+}
+
+/// The roll that an option has.
+fn roll(text: &str) -> Result<Roll, String> {
+    match text {
+        "free" => Ok(Roll::Free),
+        "off" => Ok(Roll::Fixed(0.0)),
+        _ => match number(text) {
+            Ok(mrad) => Ok(Roll::Fixed(1e-3 * mrad)),
+            Err(wanted) => Err(format!("{wanted}; or free, or off")),
+        },
+    }
 }

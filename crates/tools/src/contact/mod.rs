@@ -5,10 +5,12 @@
 //! | `arguments.rs` | its options |
 //! | `placement.rs` | the wheelset at a displacement: contacts and the loads that they share |
 //! | `plot.rs` | what `--plot` draws |
+//! | `profile/` | `hotfoot profile`: what is understood of a file of points |
 
 mod arguments;
 mod placement;
 mod plot;
+pub mod profile;
 
 pub use arguments::ContactArguments;
 use placement::{Placement, placements};

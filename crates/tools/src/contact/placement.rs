@@ -1,7 +1,8 @@
 //! A wheelset at a lateral displacement: its contacts, and how they share the load.
 
 use contact::{
-    EquivalentConicity, ProfilePair, RailProfile, WheelContact, WheelProfile, wheelset_geometry,
+    ContactError, EquivalentConicity, ProfilePair, RailProfile, Reading, WheelContact,
+    WheelProfile, WheelsetPairs,
 };
 
 use super::arguments::ContactArguments;
@@ -17,7 +18,7 @@ pub(super) struct Placement {
     pub lateral_mm: f64,
     pub roll_mrad: f64,
     pub radius_difference_mm: f64,
-    /// Nothing where the displacement is none.
+    /// Of the radii without roll; nothing where the displacement is none.
     pub conicity: Option<f64>,
     /// Of a wave with this amplitude; nothing where there is none.
     pub equivalent_conicity: Option<f64>,
@@ -55,25 +56,48 @@ impl LoadedContact {
     }
 }
 
+/// Wheel and rail on each side.
+fn pairs(arguments: &ContactArguments) -> Result<WheelsetPairs, ContactError> {
+    let reading = Reading {
+        running_circle: arguments.running_circle_mm * MM,
+        wavelength: arguments.smoothing_mm * MM,
+        ..Reading::default()
+    };
+    let pair = |wheel: &str, rail: &str, radius| {
+        Ok::<_, ContactError>(ProfilePair {
+            wheel: WheelProfile::read(wheel, &reading)?,
+            rail: RailProfile::read(rail, &reading)?,
+            rail_inclination: arguments.inclination,
+            gauge: arguments.gauge_mm * MM,
+            gauge_depth: arguments.gauge_depth_mm * MM,
+            flange_back_distance: arguments.flange_back_distance_mm * MM,
+            running_circle_from_flange_back: arguments.running_circle_mm * MM,
+            nominal_radius: radius,
+        })
+    };
+    let ContactArguments { wheel, rail, radius, .. } = arguments;
+    Ok(WheelsetPairs {
+        left: pair(
+            arguments.left_wheel.as_ref().unwrap_or(wheel),
+            arguments.left_rail.as_ref().unwrap_or(rail),
+            arguments.left_radius.unwrap_or(*radius),
+        )?,
+        right: pair(wheel, rail, *radius)?,
+    })
+}
+
 /// The wheelset at all displacements that are asked for.
 pub(super) fn placements(arguments: &ContactArguments) -> Result<Vec<Placement>, ToolError> {
-    let pair = ProfilePair {
-        wheel: WheelProfile::named(&arguments.wheel)?,
-        rail: RailProfile::named(&arguments.rail)?,
-        rail_inclination: arguments.inclination,
-        gauge: arguments.gauge_mm * MM,
-        flange_back_distance: arguments.flange_back_distance_mm * MM,
-        nominal_radius: arguments.radius,
-    };
+    let pairs = pairs(arguments)?;
     let greatest = arguments.from_mm.abs().max(arguments.to_mm.abs());
-    let conicity = EquivalentConicity::new(&pair, greatest * MM)?;
+    let conicity = EquivalentConicity::new(&pairs, greatest * MM)?;
     let steps = ((arguments.to_mm - arguments.from_mm) / arguments.step_mm + 1e-9).floor();
     let displacements =
         (0..=steps as usize).map(|step| arguments.from_mm + step as f64 * arguments.step_mm);
     displacements
         .map(|lateral_mm| {
             let yaw = arguments.yaw_mrad * MM;
-            let geometry = wheelset_geometry(&pair, lateral_mm * MM, yaw)?;
+            let geometry = pairs.geometry(lateral_mm * MM, yaw, arguments.roll)?;
             let difference = geometry.radius_difference() / MM;
             let loaded = |contacts: &[WheelContact]| {
                 let loads = shared(contacts, arguments.load);
@@ -83,7 +107,7 @@ pub(super) fn placements(arguments: &ContactArguments) -> Result<Vec<Placement>,
                 lateral_mm,
                 roll_mrad: geometry.roll / MM,
                 radius_difference_mm: difference,
-                conicity: (lateral_mm != 0.0).then(|| difference / (2.0 * lateral_mm)),
+                conicity: conicity.of_radii_at(lateral_mm * MM),
                 equivalent_conicity: conicity.at(lateral_mm.abs() * MM),
                 wheels: [loaded(&geometry.left), loaded(&geometry.right)],
             })

@@ -41,16 +41,50 @@ fn a_row_stands_for_each_contact_of_each_displacement() {
     assert_eq!(table.texts("conicity")[centred], "");
 }
 
-/// A cone of 1:20 has the conicity 1/20 (Klingel 1883, for a knife edge), raised by the roll of the
-/// wheelset and the round rail head by a factor 1/(1 − r γ/e), some 1.03 and more.
+/// A cone of 1:20 has the conicity 1/20, as EN 15302 counts the displacement: at the contact, without roll.
+/// The radii of the wheelset that rolls have more of it, by a factor 1/(1 − r γ/e) of some 1.03 and more.
 #[test]
 fn analytic_a_cone_has_its_conicity_at_every_displacement() {
     let cone = ["--wheel", "cone-1-20", "--from-mm", "1", "--to-mm", "3"];
     let table = table(&cone);
     for conicity in table.column("conicity").into_iter().chain(table.column("equivalent_conicity"))
     {
-        assert!((0.05..0.055).contains(&conicity), "{conicity}");
+        assert_eq!(conicity, 0.05);
     }
+    let difference = |roll: &str| {
+        let one = [&cone[..2], &["--from-mm", "2", "--to-mm", "2", "--roll", roll]].concat();
+        Table::of::<ContactArguments>(contact, &one).column("radius_difference_mm")[0]
+    };
+    assert!((difference("off") - 0.2).abs() < 2e-5);
+    assert!((0.205..0.22).contains(&difference("free")), "{}", difference("free"));
+}
+
+/// A wheelset that is held keeps the roll that is said, and the free one that with which both wheels touch.
+#[test]
+fn the_roll_is_free_off_or_said() {
+    let roll = |words: &[&str]| at("2", words).column("roll_mrad")[0];
+    assert_eq!(roll(&["--roll", "off"]), 0.0);
+    assert_eq!(roll(&["--roll", "-1.5"]), -1.5);
+    assert_eq!(roll(&[]), roll(&["--roll", "free"]));
+    assert!(roll(&[]).abs() > 0.01);
+    assert!(refused(&["--roll", "loose"]).contains("or free, or off"));
+}
+
+/// The left wheel smaller by 0.1 mm: the radii differ by it in the middle, and cones of 1:20 swing about
+/// 1 mm to the left, where they are equal.
+#[test]
+fn analytic_a_left_wheel_that_differs() {
+    let cones = ["--wheel", "cone-1-20", "--roll", "off", "--left-radius", "0.4599"];
+    let table = at("0", &cones);
+    assert!((table.column("radius_difference_mm")[0] - 0.1).abs() < 2e-5);
+    let table = at("-1", &cones);
+    assert!(table.column("radius_difference_mm")[0].abs() < 2e-5);
+    assert_eq!(table.column("equivalent_conicity")[0], 0.05);
+    let other = at("2", &["--left-wheel", "cone-1-40", "--wheel", "cone-1-20", "--roll", "off"]);
+    let both = at("2", &["--wheel", "cone-1-20", "--roll", "off"]);
+    let changes = [&other, &both].map(|table| table.column("radius_change_mm"));
+    assert_eq!(changes[0][1], changes[1][1], "the right wheel is the same");
+    assert_ne!(changes[0][0], changes[1][0], "the left one is another");
 }
 
 /// On a cone both wheels roll on the cone's angle: tan γ = 1/20, one wheel more and one less by the roll.

@@ -4,6 +4,7 @@
 //! | file | command |
 //! |---|---|
 //! | `contact.rs` | `hotfoot contact` |
+//! | `profile.rs` | `hotfoot profile` |
 //! | `creep.rs` | `hotfoot creep` |
 //! | `modes.rs` | `hotfoot modes` |
 //! | `critical_speed.rs` | `hotfoot critical-speed` |
@@ -13,4 +14,5 @@ mod contact;
 mod creep;
 mod critical_speed;
 mod modes;
+mod profile;
 mod table;

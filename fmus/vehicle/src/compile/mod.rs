@@ -12,9 +12,9 @@ mod suspension;
 
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
-use contact::{ContactError, GeometryTable, ProfilePair, RailProfile, WheelProfile};
+use contact::{ContactError, GeometryTable, ProfilePair, RailProfile, Reading, WheelProfile};
 use nalgebra::Vector3;
-use stock::Multibody;
+use stock::{Multibody, WheelRailContact};
 
 use self::statics::Loose;
 use self::suspension::index;
@@ -24,6 +24,8 @@ use crate::contact::slip_mobility::SlipMobility;
 use crate::linear;
 use crate::structure::{Structure, WheelsetData};
 use crate::suspension::Suspension;
+
+const MM: f64 = 1e-3;
 
 /// Why a vehicle file gives no vehicle.
 #[derive(Debug, thiserror::Error)]
@@ -142,35 +144,63 @@ fn bodies(multibody: &Multibody) -> Vec<RigidBody> {
     bodies.chain(wheelsets).collect()
 }
 
+/// Profiles of wheel and rail on the left and on the right, or the key of the one that is wrong.
+fn profiles(
+    contact: &WheelRailContact,
+) -> Result<[(WheelProfile, RailProfile); 2], (&'static str, ContactError)> {
+    let reading = Reading {
+        running_circle: contact.running_circle_mm * MM,
+        wavelength: contact.profile_smoothing_mm * MM,
+        ..Reading::default()
+    };
+    let wheel = |key, name: &str| WheelProfile::read(name, &reading).map_err(|error| (key, error));
+    let rail = |key, name: &str| RailProfile::read(name, &reading).map_err(|error| (key, error));
+    let right = (
+        wheel("multibody.contact.wheel", &contact.wheel)?,
+        rail("multibody.contact.rail", &contact.rail)?,
+    );
+    let mut left = right.clone();
+    if let Some(name) = &contact.left_wheel {
+        left.0 = wheel("multibody.contact.left_wheel", name)?;
+    }
+    if let Some(name) = &contact.left_rail {
+        left.1 = rail("multibody.contact.left_rail", name)?;
+    }
+    Ok([left, right])
+}
+
 fn wheelsets(
     multibody: &Multibody,
     bodies: &[RigidBody],
 ) -> Result<Vec<WheelsetData>, (&'static str, ContactError)> {
     let contact = &multibody.contact;
-    let wheel =
-        WheelProfile::named(&contact.wheel).map_err(|error| ("multibody.contact.wheel", error))?;
-    let rail =
-        RailProfile::named(&contact.rail).map_err(|error| ("multibody.contact.rail", error))?;
+    let profiles = profiles(contact)?;
     let powered = multibody.wheelset.iter().filter(|w| w.powered).count();
     let count = multibody.wheelset.len();
     let mut wheelsets = Vec::with_capacity(count);
     for wheelset in &multibody.wheelset {
-        let pair = ProfilePair {
+        let pair = |(wheel, rail): &(WheelProfile, RailProfile)| ProfilePair {
             wheel: wheel.clone(),
             rail: rail.clone(),
             rail_inclination: contact.rail_inclination,
-            gauge: contact.gauge_mm * 1e-3,
-            flange_back_distance: contact.flange_back_distance_mm * 1e-3,
+            gauge: contact.gauge_mm * MM,
+            gauge_depth: contact.gauge_depth_mm * MM,
+            flange_back_distance: contact.flange_back_distance_mm * MM,
+            running_circle_from_flange_back: contact.running_circle_mm * MM,
             nominal_radius: wheelset.wheel_radius_m,
         };
+        let pairs = profiles.each_ref().map(pair);
+        let table = |pair: &ProfilePair| {
+            GeometryTable::shared(pair).map_err(|error| ("multibody.contact", error))
+        };
         let body = index(bodies, &wheelset.name);
-        let (radius, half_distance) = (wheelset.wheel_radius_m, pair.running_circle());
+        let (radius, half_distance) = (wheelset.wheel_radius_m, pairs[0].running_circle());
         wheelsets.push(WheelsetData {
             body,
             frame: index(bodies, &wheelset.frame),
             wheel: WheelData { radius, half_distance, damping: contact.damping_s_m },
             slip_mobility: SlipMobility::new(&bodies[body], radius),
-            table: GeometryTable::shared(&pair).map_err(|error| ("multibody.contact", error))?,
+            tables: [table(&pairs[0])?, table(&pairs[1])?],
             static_wheel_load: 0.0,
             traction_share: if wheelset.powered { 1.0 / powered as f64 } else { 0.0 },
             brake_share: 1.0 / count as f64,

@@ -52,8 +52,8 @@ impl WheelsetStep<'_> {
         let carrier = self.frame_velocities(state);
         let against = difference(&before, &carrier);
         let mut wheels = [Wheel::default(), Wheel::default()];
-        for (wheel, (side, rail)) in wheels.iter_mut().zip(Side::BOTH.into_iter().zip(&self.rails))
-        {
+        let sides = Side::BOTH.into_iter().zip(&self.rails).zip(&self.data.tables);
+        for (wheel, ((side, rail), table)) in wheels.iter_mut().zip(sides) {
             let motion = WheelMotion {
                 side,
                 data: &self.data.wheel,
@@ -62,7 +62,7 @@ impl WheelsetStep<'_> {
                 speed: state.velocity.x,
                 turning: self.frame.rotation.z,
             };
-            wheel.touch(&self.data.table, &motion, self.creep);
+            wheel.touch(table, &motion, self.creep);
             for patch in wheel.patches_mut() {
                 self.data.slip_mobility.reduce(&mut patch.forces.creep, self.step);
             }

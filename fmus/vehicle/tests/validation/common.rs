@@ -149,14 +149,14 @@ pub const CONICITY: f64 = 1.0 / 20.0;
 
 /// Rolling radius r0 and half distance of the contacts e0 of a centred wheelset.
 pub fn rolling(data: &WheelsetData) -> (f64, f64) {
-    let point = data.table.at(0.0);
+    let point = data.tables[0].at(0.0);
     let radius = data.wheel.radius + point.radius_change;
     (radius, data.wheel.half_distance + point.wheel_lateral)
 }
 
 /// Distance of the rail's top from the track's middle, m.
 pub fn half_rail_distance(data: &WheelsetData) -> f64 {
-    data.table.pair().rail_top()
+    data.tables[0].pair().rail_top()
 }
 
 /// The page that has the table of all comparisons with numbers.
