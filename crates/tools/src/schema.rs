@@ -105,9 +105,10 @@ const POINT: [Column; 2] = [
 /// The columns of a profile.
 pub fn profile() -> Value {
     let mut table = columns(&POINT);
-    table["description"] = "A point on each line, its two numbers parted by blanks, commas or semicolons, without a \
-                            line of names; lines that begin with #, % or ! are comments. Files of CONTACT and SIMPACK \
-                            (.prw, .prr) are read with what their header says."
+    table["description"] = "A point on each line, its two numbers parted by blanks, tabs, semicolons or commas; names \
+                            of columns may stand above, and lines that begin with #, % or ! are comments. Files of \
+                            MiniProf (.whl, .ban), SIMPACK and CONTACT (.prw, .prr) and GENSYS (.wheel, .rail) are \
+                            read with what their headers say."
         .into();
     table
 }
