@@ -1,18 +1,23 @@
-"""A system that Python steps: the units and links of a run, without its recording."""
+"""A system that Python steps: the units and links of a run, which leaves its results if a folder is named."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, overload
 
 import numpy
 import pandas
 
+from hotfoot._results import Results
+from hotfoot._results import open as open_results
 from hotfoot._run import as_settings
 from hotfoot._shipped import HOME, RunError
 
 if TYPE_CHECKING:
+    from types import TracebackType
+
     from numpy.typing import ArrayLike, NDArray
 
 Values = Mapping[str, float]
@@ -39,8 +44,9 @@ Function = Callable[[float, float, dict[str, float]], "dict[str, float] | None"]
 class System:
     """A scenario, an SSP package or an FMU, initialised, and stepped as `hotfoot run` does.
 
-    It gives the bits of the run. It records nothing and writes no fields; what a rail goes through
-    after the train has gone is for `hotfoot.run`.
+    It gives the bits of the run. With a folder of `results` it records there what the run records,
+    and `finish` takes the rails through what follows the train and completes tables, fields, manifest
+    and report. Without one it records nothing, and can go back to a state that was saved.
 
     Parameters
     ----------
@@ -52,8 +58,13 @@ class System:
         ``start(time, parameters) -> outputs`` too, which is called before the first step. The
         variables are those of the component that is replaced; outputs that are not answered keep
         their values.
-    duration_s, step_s
-        Simulated time and step of the exchange in place of the scenario's, s.
+    results
+        Folder of the results; left out: nothing is recorded. What Python does instead of the scenario,
+        by models or by inputs, stands in the manifest as warnings.
+    overwrite
+        Whether the results of an earlier run in that folder are replaced.
+    duration_s, step_s, interval_s
+        Simulated time, step of the exchange, and time between two records in place of the scenario's, s.
     threads
         Threads for the vehicles; left out: all cores.
     settings, **changes
@@ -62,7 +73,7 @@ class System:
     Raises
     ------
     RunError
-        When its run would not begin, in the sentences of the command line.
+        When its run would not begin, or the folder has results, in the sentences of the command line.
     ValueError
         When `replace` names a component that is not there.
 
@@ -71,6 +82,14 @@ class System:
     >>> system = hotfoot.System("first-look")                        # doctest: +SKIP
     >>> system.step(1000)                                            # doctest: +SKIP
     >>> system["vehicle[3].velocity"]                                # doctest: +SKIP
+
+    With results, which are completed at the end of the block, whatever ends it:
+
+    >>> with hotfoot.System("first-look", results="mine") as system:  # doctest: +SKIP
+    ...     while system.steps_left:
+    ...         system["train.driver.notch"] = 2 if system["train.train.velocity"] < 17 else 0
+    ...         system.step(10)
+    >>> hotfoot.open("mine").figure("coupler.tension")               # doctest: +SKIP
     """
 
     def __init__(
@@ -78,8 +97,11 @@ class System:
         scenario: str | os.PathLike[str],
         *,
         replace: Mapping[str, Model | Function] | None = None,
+        results: str | os.PathLike[str] | None = None,
+        overwrite: bool = False,
         duration_s: float | None = None,
         step_s: float | None = None,
+        interval_s: float | None = None,
         threads: int | None = None,
         settings: Mapping[str, Any] | None = None,
         **changes: Any,
@@ -90,10 +112,24 @@ class System:
             os.fspath(scenario),
             os.fspath(HOME),
             as_settings({**(settings or {}), **changes}),
-            (duration_s, step_s),
+            (duration_s, step_s, interval_s),
             threads,
             list((replace or {}).items()),
+            None if results is None else (os.fspath(results), overwrite),
         )
+        self._results = None if results is None else Path(results)
+
+    def __enter__(self) -> System:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        exception: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        if self._native.records():
+            self.finish()
 
     def __repr__(self) -> str:
         time, length, done, steps = self._native.clock()
@@ -128,6 +164,25 @@ class System:
         if steps < 0:
             raise ValueError(f"a system takes no {steps} steps: the number must not be negative")
         self._native.step(steps)
+
+    def finish(self) -> Results:
+        """Ends the system and gives its results, as `hotfoot.open` does.
+
+        After the last step of the scenario the rails go through what follows the train: further trains,
+        and the time alone. A system that is left before has the results of an interrupted run.
+
+        Raises
+        ------
+        RunError
+            When a rail fails, or a file cannot be written.
+        ValueError
+            When the system records nothing, or has ended already.
+        KeyboardInterrupt
+            When it is interrupted; what was recorded until then can be opened.
+        """
+        self._native.finish()
+        assert self._results is not None
+        return open_results(self._results)
 
     @overload
     def get(self, names: str) -> float: ...

@@ -123,8 +123,9 @@ fn name_and_version() -> String {
     format!("hotfoot-{}", env!("CARGO_PKG_VERSION"))
 }
 
-/// The Pythons and machines that the wheel is for: from the Python of pyo3's feature `abi3-py311` on, the oldest
-/// that zarr 3 runs on, whose format the fields have.
+/// The Pythons and machines that the wheel is for.
+///
+/// The Python is that of pyo3's feature `abi3-py311`: zarr 3, whose format the fields have, runs on no older one.
 fn tag() -> String {
     format!("cp311-abi3-manylinux_{}_x86_64", GLIBC.replace('.', "_"))
 }

@@ -6,7 +6,7 @@ use super::checkpoint::{CheckpointError, Checkpoints, Reached};
 use super::observe_error::ObserveError;
 use super::progress::Progress;
 use super::recorder::Recorder;
-use super::stop::{Stopped, stopped};
+use super::stop::Stopped;
 use crate::system::parallel;
 use crate::system::part::Part;
 use crate::system::step::System;
@@ -87,6 +87,11 @@ impl Rails {
     /// Whether a part is one of the rails.
     pub fn contain(&self, part: usize) -> bool {
         self.rails.iter().any(|rail| rail.part == part)
+    }
+
+    /// Forgets what the wheels do: what follows the run is not asked for.
+    pub fn forget_tapes(&mut self) {
+        self.rails.iter_mut().for_each(|rail| rail.tape = None);
     }
 
     /// Keeps what the wheels did in the step to point `k + 1`.
@@ -204,7 +209,7 @@ impl Rails {
         for j in done..steps {
             let time = from + j as f64 * length;
             let failed = |source| FailedStep { time, source };
-            if let Some(stopped) = stopped(j, time) {
+            if let Some(stopped) = (run.stop)(j, time) {
                 self.write_checkpoint(run, Reached::After(stage, j), time).map_err(failed)?;
                 return Ok(Some(stopped));
             }
@@ -273,7 +278,12 @@ pub struct Continued<'r> {
     pub checkpoints: Option<&'r mut Checkpoints>,
     /// Wall time of what comes after the run.
     pub timer: Timer,
+    /// Whether it is to stop.
+    pub stop: &'r mut Stop<'r>,
 }
+
+/// Says before a step with its number, which begins at a time in s, whether the run is to stop.
+pub type Stop<'s> = dyn FnMut(u64, f64) -> Option<Stopped> + 's;
 
 /// Equal steps of a stage, so many of them done, and after how many of them the rails are recorded.
 #[derive(Clone, Copy)]

@@ -82,6 +82,7 @@ fn a_train_comes_again_as_it_was_and_alone_there_is_none() {
             progress: &mut progress,
             checkpoints: None,
             timer: Timer::after(Duration::ZERO),
+            stop: &mut |_, _| None,
         };
         rails.continue_after_run(&mut run, 2.0, Reached::Run(5)).unwrap();
         assert_eq!(sum(&mut system), 2.0 * (0.75 + 1.75));

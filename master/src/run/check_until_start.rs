@@ -24,7 +24,9 @@ pub fn check_until_start(
     fmus: &Path,
 ) -> Result<Vec<String>, RunError> {
     let folder = tempfile::tempdir().map_err(FileError::at(path))?;
-    let (scenario, file, text) = scenario::load(path, settings)?;
+    let (mut scenario, file, text) = scenario::load(path, settings)?;
+    // Its folder is not made here.
+    scenario.record.checkpoint_s = None;
     let folders = Folders { fmus: fmus.to_owned(), results: folder.path().to_owned() };
     let mut setup = setup(scenario, (&file, text), &folders, 1, &mut Substitutes::new())?;
     setup.initialize()?;

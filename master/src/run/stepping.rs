@@ -20,19 +20,25 @@ pub struct Stepping<'r> {
 }
 
 impl Stepping<'_> {
-    /// Takes all units through the steps behind those that are done, until somebody wants the run to end.
+    /// Takes all units on from the `done` steps, which it counts, to so many.
+    ///
+    /// It says if somebody wants the run to end before.
     ///
     /// # Errors
     /// When a unit fails, or nothing can be written, with the time of the last point before.
-    pub fn run(&mut self, done: u64) -> Result<Option<Early>, FailedStep> {
-        for k in done..self.setup.steps {
+    pub fn run(&mut self, done: &mut u64, until: u64) -> Result<Option<Early>, FailedStep> {
+        while *done < until {
+            let k = *done;
             let time = self.setup.system.clock.at(k);
             let failed = |source| FailedStep { time, source };
             if let Some(stopped) = stopped(k, time) {
                 self.write_checkpoint(k).map_err(failed)?;
                 return Ok(Some(Early::Stopped(stopped)));
             }
-            let Err(source) = self.step(k) else { continue };
+            let Err(source) = self.step(k) else {
+                *done += 1;
+                continue;
+            };
             let system = &mut self.setup.system;
             let wish = match &source {
                 StepFailure::Unit(error) => system.wish_to_end(error),

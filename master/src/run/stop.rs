@@ -12,13 +12,20 @@ pub(super) enum Early {
     Stopped(Stopped),
     /// One of its units wants it to end.
     Wished(WishToEnd),
+    /// The program that steps it leaves it at a time, s.
+    Left {
+        /// Time to which it has come, s.
+        time: f64,
+    },
 }
 
 impl Early {
     /// Time to which the run has come, s.
     pub fn time(&self) -> f64 {
         match self {
-            Self::Stopped(Stopped { time, .. }) | Self::Wished(WishToEnd { time, .. }) => *time,
+            Self::Stopped(Stopped { time, .. })
+            | Self::Wished(WishToEnd { time, .. })
+            | Self::Left { time } => *time,
         }
     }
 }
@@ -30,6 +37,7 @@ impl fmt::Display for Early {
             Self::Wished(WishToEnd { of, time, .. }) => {
                 write!(f, "the run ended at {time} s, because {of} wanted it to end")
             }
+            Self::Left { time } => write!(f, "the program that stepped it left it at {time} s"),
         }
     }
 }

@@ -10,15 +10,19 @@
 mod model;
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, TryLockError};
+use std::thread;
+use std::time::Duration;
 
 use files::Setting;
 use hotfoot::run::Options;
+use hotfoot::run::folder::claim::Claim;
 use hotfoot::run::open_system::{OpenSystem, OpenSystemError};
 use hotfoot::scenario::Times;
 use hotfoot::{Substitute, Substitutes, shipped};
 use model::{Model, Raised};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -26,6 +30,8 @@ pyo3::import_exception!(hotfoot._shipped, RunError);
 
 /// Steps between two looks whether somebody has pressed Ctrl-C.
 const STEPS_PER_LOOK: u64 = 100;
+/// Wall time between two looks while the rails are alone.
+const LOOK: Duration = Duration::from_millis(20);
 
 /// A variable as Python gets it: name, causality, type, unit, start value, description.
 type Row = (String, String, String, Option<String>, Option<String>, String);
@@ -45,14 +51,15 @@ impl NativeSystem {
         path: PathBuf,
         home: PathBuf,
         settings: Vec<String>,
-        times: (Option<f64>, Option<f64>),
+        times: (Option<f64>, Option<f64>, Option<f64>),
         threads: Option<usize>,
         replace: Vec<(String, Py<PyAny>)>,
+        results: Option<(PathBuf, bool)>,
     ) -> PyResult<Self> {
         let settings = settings.iter().map(|setting| setting.parse::<Setting>());
         let settings = settings.collect::<Result<_, _>>().map_err(PyValueError::new_err)?;
-        let (duration, step) = times;
-        let times = Times { duration, step, ..Times::default() };
+        let (duration, step, interval) = times;
+        let times = Times { duration, step, interval, ..Times::default() };
         shipped::lies_in(home);
         let (path, fmus) = (shipped::scenario(path), shipped::folder("fmus"));
         let options = Options { threads, fmus, settings, times, quiet: true, ..Options::default() };
@@ -62,7 +69,9 @@ impl NativeSystem {
             let model = Model::new(object.bind(py), Arc::clone(&raised))?;
             substitutes.insert(name, Box::new(model) as Box<dyn Substitute>);
         }
-        let opened = py.detach(|| OpenSystem::open(&path, &options, substitutes));
+        let claim = results.map(|(folder, overwrite)| Claim::of(&folder, overwrite)).transpose();
+        let claim = claim.map_err(|error| RunError::new_err(error.to_string()))?;
+        let opened = py.detach(|| OpenSystem::open(&path, &options, substitutes, claim));
         let system = Mutex::new(opened.map_err(|error| exception(py, &error, &raised))?);
         Ok(Self { system, raised })
     }
@@ -79,6 +88,32 @@ impl NativeSystem {
             left -= some;
         }
         Ok(())
+    }
+
+    fn records(&self, py: Python<'_>) -> PyResult<bool> {
+        self.with(py, |system| Ok(system.records()))
+    }
+
+    fn finish(&self, py: Python<'_>) -> PyResult<()> {
+        let (stop, mut interrupt) = (AtomicBool::new(false), None);
+        let task = |system: &mut OpenSystem| system.finish(|| stop.load(Ordering::Relaxed));
+        // Python knows of Ctrl-C on this thread only.
+        let finished = py.detach(|| {
+            thread::scope(|scope| {
+                let finishing = scope.spawn(|| self.locked(task));
+                while !finishing.is_finished() {
+                    thread::sleep(LOOK);
+                    if let Err(error) = Python::attach(|py| py.check_signals()) {
+                        stop.store(true, Ordering::Relaxed);
+                        interrupt = Some(error);
+                    }
+                }
+                finishing.join()
+            })
+        });
+        let finished = finished.map_err(|_| PyRuntimeError::new_err("the system has panicked"))?;
+        finished.map_err(|error| exception(py, &error, &self.raised))?;
+        interrupt.map_or(Ok(()), Err)
     }
 
     fn get(&self, py: Python<'_>, names: Vec<String>) -> PyResult<Vec<f64>> {
@@ -138,15 +173,23 @@ impl NativeSystem {
         py: Python<'_>,
         task: impl FnOnce(&mut OpenSystem) -> Result<T, OpenSystemError> + Send,
     ) -> PyResult<T> {
-        let done = py.detach(|| match self.system.try_lock() {
+        let done = py.detach(|| self.locked(task));
+        done.map_err(|error| exception(py, &error, &self.raised))
+    }
+
+    /// Does something with the system, which nobody else uses meanwhile.
+    fn locked<T>(
+        &self,
+        task: impl FnOnce(&mut OpenSystem) -> Result<T, OpenSystemError>,
+    ) -> Result<T, OpenSystemError> {
+        match self.system.try_lock() {
             Ok(mut system) => task(&mut system),
             Err(TryLockError::Poisoned(poisoned)) => task(&mut poisoned.into_inner()),
             Err(TryLockError::WouldBlock) => Err(OpenSystemError::Request(
                 "the system is in a step: neither another thread nor a model in it can use it meanwhile"
                     .to_owned(),
             )),
-        });
-        done.map_err(|error| exception(py, &error, &self.raised))
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Why a system cannot be opened, or a step or a request failed.
 
 use crate::files::file_error::FileError;
+use crate::run::after::StepFailure;
 use crate::run::error::RunError;
 use crate::system::unit::UnitError;
 
@@ -16,8 +17,11 @@ pub enum OpenSystemError {
         /// Time at which the step began, s.
         time: f64,
         /// Reason.
-        source: UnitError,
+        source: Box<StepFailure>,
     },
+    /// A unit wants the run to end, in a sentence.
+    #[error("{0}")]
+    Early(String),
     /// A unit refuses.
     #[error(transparent)]
     Unit(#[from] UnitError),

@@ -1,26 +1,35 @@
-//! A system that the caller steps: the units and links of a run, without its recording.
+//! A system that the caller steps: the units and links of a run.
 //!
-//! What follows the run of a train for its rails, and the rails' fields, are the run's alone.
+//! With a folder of results it leaves there what the run would leave. Without one it records nothing, and can go
+//! back to a state that was saved.
 //!
 //! | file | part |
 //! |---|---|
-//! | `mod.rs` | opened, stepped, saved and restored |
+//! | `mod.rs` | opened and stepped |
+//! | `state.rs` | saved and restored |
+//! | `finish.rs` | its results, completed |
 //! | `error.rs` | why it cannot be opened or stepped |
 //! | `signal.rs` | variables by name: got and set |
 
 mod error;
+mod finish;
 mod signal;
+mod state;
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 pub use error::OpenSystemError;
 use signal::Signals;
 use tempfile::TempDir;
 
-use super::checkpoint::{Reached, RunState, from_bytes, to_bytes};
+use super::checkpoint::Beginning;
 use super::error::RunError;
+use super::folder::claim::Claim;
 use super::options::Options;
+use super::perform::{Started, start};
 use super::setup::Setup;
+use super::stop::Early;
 use super::workplace::Workplace;
 use super::{is_system, ordered, package, scenario};
 use crate::files::file_error::FileError;
@@ -37,72 +46,147 @@ const FIELD: &str = "field_file";
 pub struct OpenSystem {
     setup: Setup,
     workplace: Workplace,
+    started: Started,
     /// Steps that are done.
     done: u64,
     /// Whether the last of them has failed, so that some units have made it and others not.
     failed: bool,
+    /// Why it ends before its time, if one of its units wants that.
+    early: Option<Early>,
+    /// Whether its units are terminated.
+    finished: bool,
     signals: Signals,
-    /// Where its FMUs are; it goes after the units.
-    _folder: TempDir,
+    /// Inputs that were set, with the time at which that was first, s.
+    set: BTreeMap<String, f64>,
+    /// Warnings that the caller has taken.
+    taken: usize,
+    folder: Folder,
+}
+
+/// Where the FMUs of a system are, and its results if it has any; it goes after the units.
+enum Folder {
+    /// It goes with the system.
+    Temporary(TempDir),
+    /// That of its results, which the caller has claimed for it.
+    Results(Claim),
+}
+
+impl Folder {
+    fn path(&self) -> &Path {
+        match self {
+            Self::Temporary(folder) => folder.path(),
+            Self::Results(claim) => claim.folder(),
+        }
+    }
 }
 
 impl OpenSystem {
     /// Sets up and initialises the scenario, package or FMU at `path`, with some units substituted.
     ///
+    /// It records into the folder of `results`, if there is one.
+    ///
     /// # Errors
-    /// When something is wrong for which its run would not begin.
+    /// When something is wrong for which its run would not begin; the folder is as it was then.
     pub fn open(
         path: &Path,
         options: &Options,
         mut substitutes: Substitutes,
+        results: Option<Claim>,
     ) -> Result<Self, OpenSystemError> {
-        let folder = tempfile::tempdir().map_err(FileError::at(path))?;
+        let folder = match results {
+            Some(claim) => Folder::Results(claim),
+            None => Folder::Temporary(tempfile::tempdir().map_err(FileError::at(path))?),
+        };
         let workplace = Workplace::open(options.threads)?;
-        let setup = workplace.pool.install(|| {
-            let threads = workplace.threads;
-            let mut setup = set_up(path, folder.path(), options, threads, &mut substitutes)?;
+        let names: Vec<_> = substitutes.keys().cloned().collect();
+        let opened = workplace.pool.install(|| {
+            let mut setup = set_up(path, &folder, options, workplace.threads, &mut substitutes)?;
             if let Some(name) = substitutes.keys().next() {
                 let names: Vec<_> = setup.system.units().map(|unit| unit.name()).collect();
                 return Err(OpenSystemError::Request(signal::no_component(name, &names)));
             }
-            setup.initialize()?;
-            Ok(setup)
-        })?;
-        let signals = Signals::default();
-        Ok(Self { setup, workplace, done: 0, failed: false, signals, _folder: folder })
+            let stood = |name| format!("{name} was a model of the program that stepped the system");
+            setup.manifest.warnings.extend(names.iter().map(stood));
+            let started = match &folder {
+                Folder::Results(claim) => {
+                    start(&mut setup, claim.folder(), true, &mut Beginning::default())?
+                }
+                Folder::Temporary(_) => {
+                    setup.rails.forget_tapes();
+                    setup.initialize()?;
+                    Started::unrecorded(&setup)
+                }
+            };
+            Ok((setup, started))
+        });
+        match (opened, folder) {
+            (Ok((setup, started)), folder) => Ok(Self {
+                setup,
+                workplace,
+                started,
+                done: 0,
+                failed: false,
+                early: None,
+                finished: false,
+                signals: Signals::default(),
+                set: BTreeMap::new(),
+                taken: 0,
+                folder,
+            }),
+            (Err(error), folder) => {
+                if let Folder::Results(claim) = folder {
+                    claim.undo();
+                }
+                Err(error)
+            }
+        }
     }
 
     /// Takes all units through so many steps.
     ///
     /// # Errors
-    /// When a unit fails, or the system ends before.
+    /// When a unit fails, or the system ends before. What was recorded until then is completed if a unit fails.
     pub fn step(&mut self, steps: u64) -> Result<(), OpenSystemError> {
-        let Self { setup: Setup { system, steps: all, stop, .. }, done, failed, .. } = self;
+        self.check_open()?;
+        let Self { setup, started, done, failed, .. } = self;
         if *failed {
             return Err(OpenSystemError::Request(format!(
                 "the step from {} s has failed; restore a state that was saved before, or open the system anew",
-                system.clock.at(*done)
+                setup.system.clock.at(*done)
             )));
         }
-        if steps > *all - *done {
+        if steps > setup.steps - *done {
             return Err(OpenSystemError::Request(format!(
-                "the system ends at {stop} s, which is {} steps from here, and not {steps}; open it with a longer \
+                "the system ends at {} s, which is {} steps from here, and not {steps}; open it with a longer \
                  duration",
-                *all - *done
+                setup.stop,
+                setup.steps - *done
             )));
         }
-        self.workplace.pool.install(|| {
-            for _ in 0..steps {
-                let stepped = system.step(*done);
-                let time = system.clock.at(*done);
-                stepped.map_err(|source| {
-                    *failed = true;
-                    OpenSystemError::Step { time, source }
-                })?;
-                *done += 1;
+        let until = *done + steps;
+        let stepped = self.workplace.pool.install(|| started.step(setup, (done, until), None));
+        *failed = !matches!(stepped, Ok(None));
+        match stepped {
+            Ok(None) => Ok(()),
+            Ok(Some(early)) => {
+                let sentence = early.to_string();
+                self.early = Some(early);
+                Err(OpenSystemError::Early(sentence))
             }
-            Ok(())
-        })
+            Err(step) if self.records() => self.complete(Err(step)),
+            Err(step) => Err(OpenSystemError::Step { time: step.time, source: step.source.into() }),
+        }
+    }
+
+    /// Refuses what terminated units cannot do.
+    fn check_open(&self) -> Result<(), OpenSystemError> {
+        match self.finished {
+            false => Ok(()),
+            true => Err(OpenSystemError::Request(format!(
+                "the system has ended, and its results are in {}; open it anew",
+                self.folder.path().display()
+            ))),
+        }
     }
 
     /// Values of variables that are numbers, as `component.variable`, in the units of the variables.
@@ -126,59 +210,13 @@ impl OpenSystem {
                 values.len()
             )));
         }
-        let system = &mut self.setup.system;
-        let mut pairs = names.iter().zip(values);
-        pairs.try_for_each(|(name, value)| self.signals.set(system, name, *value))
-    }
-
-    /// All that the system needs to go on from here, bit for bit.
-    ///
-    /// # Errors
-    /// When a unit cannot be saved.
-    pub fn save(&mut self) -> Result<Vec<u8>, OpenSystemError> {
-        let Self { setup: Setup { system, .. }, workplace, done, .. } = self;
-        if let Some(unit) = system.units().find(|unit| !unit.keeps_states()) {
-            return Err(OpenSystemError::Request(format!(
-                "{} ({}) cannot be saved, which would take canGetAndSetFMUstate and canSerializeFMUstate",
-                unit.name(),
-                unit.source_file()
-            )));
-        }
-        let parts = workplace.pool.install(|| system.save())?;
-        Ok(to_bytes(&RunState {
-            reached: Reached::Run(*done),
-            time: system.clock.at(*done),
-            times: system.times.clone(),
-            parts,
-            tables: vec![],
-            tapes: vec![],
-            fmus: vec![],
-        }))
-    }
-
-    /// Goes on from where this system, or another one of the same components, was saved.
-    ///
-    /// # Errors
-    /// When it was saved by a system of other components, or is damaged.
-    pub fn restore(&mut self, saved: &[u8]) -> Result<(), OpenSystemError> {
-        let wrong = |reason: &str| {
-            OpenSystemError::Request(format!("this is no state of such a system: {reason}"))
-        };
-        let state: RunState = from_bytes(saved).map_err(|reason| wrong(&reason))?;
-        let Self { setup: Setup { system, steps, .. }, workplace, done, failed, .. } = self;
-        let (Reached::Run(reached), true) =
-            (state.reached, state.parts.len() == system.parts.len())
-        else {
-            return Err(wrong("it has other components"));
-        };
-        if reached > *steps {
-            return Err(wrong(&format!("it is at {} s, and this one ends before", state.time)));
-        }
-        // Some units may have taken it when another refuses.
-        *failed = true;
-        workplace.pool.install(|| system.restore(state.parts))?;
-        (*done, *failed) = (reached, false);
-        Ok(())
+        self.check_open()?;
+        let Self { setup: Setup { system, .. }, signals, set, done, .. } = self;
+        names.iter().zip(values).try_for_each(|(name, value)| {
+            signals.set(system, name, *value)?;
+            set.entry(name.clone()).or_insert_with(|| system.clock.at(*done));
+            Ok(())
+        })
     }
 
     /// Time to which the system has come, s.
@@ -217,23 +255,29 @@ impl OpenSystem {
 
     /// Takes what the run would warn of, in sentences.
     pub fn take_warnings(&mut self) -> Vec<String> {
-        let mut warnings = std::mem::take(&mut self.setup.manifest.warnings);
-        warnings.extend(self.setup.system.take_warnings());
-        warnings
+        let Self { setup: Setup { manifest, system, .. }, taken, .. } = self;
+        manifest.warnings.extend(system.take_warnings());
+        let new = manifest.warnings[*taken..].to_vec();
+        *taken = manifest.warnings.len();
+        new
     }
 }
 
 impl Drop for OpenSystem {
     fn drop(&mut self) {
-        // FMI wants it before they are freed; nobody is there any more to be told.
-        let _ = terminate(self.setup.system.units_mut());
+        if !self.finished {
+            // FMI wants it before they are freed; nobody is there any more to be told.
+            let _ = terminate(self.setup.system.units_mut());
+        }
     }
 }
 
-/// Sets up what is at a path, without fields of the rails, which would not follow a state that is restored.
+/// Sets up what is at a path.
+///
+/// Without results there are no fields of the rails either, which would not follow a state that is restored.
 fn set_up(
     path: &Path,
-    folder: &Path,
+    folder: &Folder,
     options: &Options,
     threads: usize,
     substitutes: &mut Substitutes,
@@ -241,12 +285,15 @@ fn set_up(
     if is_system(path) {
         RunError::check_no_settings(&options.settings)?;
         let written = path.display().to_string();
-        return package::setup((path, &written), folder, options, threads, substitutes);
+        return package::setup((path, &written), folder.path(), options, threads, substitutes);
     }
     let (mut scenario, file, text) = ordered(path, options)?;
-    if let (Some(heat), None) = (&mut scenario.heat, &scenario.fmus.railheat) {
+    // The caller saves the states.
+    scenario.record.checkpoint_s = None;
+    let has_fields = matches!(folder, Folder::Results(_));
+    if let (Some(heat), None, false) = (&mut scenario.heat, &scenario.fmus.railheat, has_fields) {
         heat.parameters.insert(FIELD.to_owned(), Value::Text(String::new()));
     }
-    let folders = Folders { fmus: options.fmus.clone(), results: folder.to_owned() };
+    let folders = Folders { fmus: options.fmus.clone(), results: folder.path().to_owned() };
     scenario::setup(scenario, (&file, text), &folders, threads, substitutes)
 }
