@@ -6,7 +6,7 @@ use std::path::Path;
 use fmu::Instance;
 use railheat::RailHeat;
 
-use crate::bench::{Bench, chain};
+use crate::bench::{Bench, WEATHER, chain};
 
 #[test]
 fn wrong_sites_and_days_are_named() {
@@ -22,14 +22,14 @@ fn wrong_sites_and_days_are_named() {
         assert!(sentence.contains(wanted), "{sentence}");
     }
     for (header, row, day, wanted) in [
-        (railheat::weather::HEADER, "25,1,700,80,50,0", true, "of the 24 h before or after"),
+        (WEATHER, "25,1,700,80,50,0", true, "of the 24 h before or after"),
         (
             "time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2",
             "25,1,700,80",
             false,
             "site.date_time",
         ),
-        (railheat::weather::HEADER, "25,1,7000,80,50,0", false, "direct_W_m2 = 7000"),
+        (WEATHER, "25,1,7000,80,50,0", false, "direct_W_m2 = 7000"),
     ] {
         let mut bench = Bench::new();
         let file = bench.folder.path().join("day.csv");

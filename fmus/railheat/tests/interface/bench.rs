@@ -6,6 +6,10 @@ use std::sync::{Arc, Mutex};
 use fmu::Instance;
 use railheat::RailHeat;
 
+/// The columns of a weather file with the sun.
+pub const WEATHER: &str =
+    "time_s,air_degC,wind_m_s,direct_W_m2,diffuse_W_m2,sun_elevation_deg,sun_azimuth_deg";
+
 const FILE: &str = "wheelsets_per_vehicle = [2, 1]\ndepths_mm = [20.0, 60.0]\n\
                     [[probe]]\nchainage_m = 30.05\n";
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::bench::{Bench, chain};
+use crate::bench::{Bench, WEATHER, chain};
 
 /// `model = "energy"` through its variables: the heat at the probe is that of the friction power, and a
 /// saved and restored run gives the same bits.
@@ -68,8 +68,7 @@ fn property_site_and_time_are_parameters() {
 fn the_weather_file_stands_for_the_inputs() {
     let mut bench = Bench::new();
     let path = bench.folder.path().join("day.csv");
-    let header = railheat::weather::HEADER;
-    fs::write(&path, format!("{header}\n0,10,0,0,0,0,0\n100,30,0,0,0,0,0\n")).unwrap();
+    fs::write(&path, format!("{WEATHER}\n0,10,0,0,0,0,0\n100,30,0,0,0,0,0\n")).unwrap();
     bench.set_texts(&[("model", "energy"), ("weather_file", path.to_str().unwrap())]);
     bench.set("section.cell_size", 0.012);
     bench.start().unwrap();

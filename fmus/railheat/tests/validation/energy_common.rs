@@ -18,6 +18,7 @@ pub const DAY: Weather = Weather {
     wind: 2.0,
     direct: 900.0,
     diffuse: 120.0,
+    sky: None,
     sun: Sun { elevation: 0.8, azimuth: 1.0 },
 };
 
