@@ -109,8 +109,7 @@ class System:
         from hotfoot._native import NativeSystem
 
         self._native = NativeSystem(
-            os.fspath(scenario),
-            os.fspath(HOME),
+            (os.fspath(scenario), os.fspath(HOME)),
             as_settings({**(settings or {}), **changes}),
             (duration_s, step_s, interval_s),
             threads,

@@ -137,6 +137,15 @@ impl FieldWriter {
     /// written then, for half of a store is none.
     pub fn append(&mut self, time: f64, rise: &[f32], sections: &[f32]) -> Result<(), FieldError> {
         self.check(time, rise, sections)?;
+        let written = self.write(time, rise, sections);
+        match written.is_err() && !is_rail_field(&self.path) {
+            true => Err(self.gone()),
+            false => written,
+        }
+    }
+
+    /// As [`Self::append`], of a snapshot of the right size.
+    fn write(&mut self, time: f64, rise: &[f32], sections: &[f32]) -> Result<(), FieldError> {
         self.shard[..self.values].copy_from_slice(rise);
         let n = self.snapshots;
         self.set_length(n + 1)?;
@@ -157,6 +166,10 @@ impl FieldWriter {
         self.last
     }
 
+    fn gone(&self) -> FieldError {
+        FieldError::Gone { path: self.path.clone() }
+    }
+
     fn check(&self, time: f64, rise: &[f32], sections: &[f32]) -> Result<(), FieldError> {
         let of_sections = self.sections.as_ref().map_or(0, |(_, values)| *values);
         for (found, wanted) in [(rise.len(), self.values), (sections.len(), of_sections)] {
@@ -165,7 +178,7 @@ impl FieldWriter {
             }
         }
         if !is_rail_field(&self.path) {
-            return Err(FieldError::Gone { path: self.path.clone() });
+            return Err(self.gone());
         }
         match self.last {
             Some(last) if time <= last => {

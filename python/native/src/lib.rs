@@ -45,11 +45,11 @@ struct NativeSystem {
 
 #[pymethods]
 impl NativeSystem {
+    /// `path` is that of the scenario, `home` the folder in which the package is.
     #[new]
     fn new(
         py: Python<'_>,
-        path: PathBuf,
-        home: PathBuf,
+        (path, home): (PathBuf, PathBuf),
         settings: Vec<String>,
         times: (Option<f64>, Option<f64>, Option<f64>),
         threads: Option<usize>,
