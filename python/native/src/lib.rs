@@ -45,11 +45,11 @@ struct NativeSystem {
 
 #[pymethods]
 impl NativeSystem {
-    /// `path` is that of the scenario, `home` the folder in which the package is.
+    /// `paths` are that of the scenario and that of the folder in which the package is.
     #[new]
     fn new(
         py: Python<'_>,
-        (path, home): (PathBuf, PathBuf),
+        paths: (PathBuf, PathBuf),
         settings: Vec<String>,
         times: (Option<f64>, Option<f64>, Option<f64>),
         threads: Option<usize>,
@@ -60,6 +60,7 @@ impl NativeSystem {
         let settings = settings.collect::<Result<_, _>>().map_err(PyValueError::new_err)?;
         let (duration, step, interval) = times;
         let times = Times { duration, step, interval, ..Times::default() };
+        let (path, home) = paths;
         shipped::lies_in(home);
         let (path, fmus) = (shipped::scenario(path), shipped::folder("fmus"));
         let options = Options { threads, fmus, settings, times, quiet: true, ..Options::default() };
