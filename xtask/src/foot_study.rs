@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use toml::Table;
 
-use crate::shell::{hotfoot, run};
+use crate::shell::run_scenario;
 
 /// Folder of the scenarios.
 const FOLDER: &str = "scenarios/foot-study";
@@ -39,9 +39,7 @@ const AUDIT: (&str, f64) = ("energy.audit", 1e-9);
 /// Runs all scenarios into `results`.
 pub fn run_all(results: &Path) -> Result<()> {
     for (name, ..) in CASES {
-        let scenario = format!("{FOLDER}/{name}.toml");
-        let folder = results.join(name);
-        run(hotfoot().args(["run", &scenario, "--overwrite", "--results"]).arg(folder))?;
+        run_scenario(&format!("{FOLDER}/{name}.toml"), &results.join(name), &[])?;
     }
     Ok(())
 }

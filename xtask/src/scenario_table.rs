@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::Result;
 
 use crate::package;
-use crate::shell::{hotfoot, run};
+use crate::shell::run_scenario;
 
 /// The scenarios.
 const CASES: [&str; 4] = [
@@ -18,8 +18,7 @@ const CASES: [&str; 4] = [
 /// Runs all of them into folders in `results`, with further arguments of `hotfoot run`.
 pub fn run_all(results: &Path, arguments: &[String]) -> Result<()> {
     for name in CASES {
-        let command = ["run", &format!("scenarios/{name}"), "--overwrite", "--results"];
-        run(hotfoot().args(command).arg(results.join(name)).args(arguments))?;
+        run_scenario(&format!("scenarios/{name}"), &results.join(name), arguments)?;
     }
     Ok(())
 }

@@ -39,6 +39,12 @@ pub fn hotfoot() -> Command {
     Command::new(target().join("release/hotfoot"))
 }
 
+/// Runs a scenario into a folder, with further arguments of `hotfoot run`.
+pub fn run_scenario(scenario: &str, results: &Path, arguments: &[String]) -> Result<()> {
+    let command = ["run", scenario, "--overwrite", "--results"];
+    run(hotfoot().args(command).arg(results).args(arguments))
+}
+
 /// Cargo's target folder.
 pub fn target() -> std::path::PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), Into::into)

@@ -130,13 +130,13 @@ impl Death<'_> {
     fn by_the_status(&self) -> String {
         let calls = self.page.calls();
         match (signal_of(self.status), self.status.code()) {
-            (Some(KILL), _) if self.before.memory_ran_out() => {
-                "the system has killed the program (SIGKILL) because memory ran out".to_owned()
-            }
             (Some(KILL | PROCESSOR_TIME), _) if spent_processor_time().is_some() => format!(
                 "the system has killed the program at the limit of {} s of processor time (ulimit -t)",
                 spent_processor_time().unwrap_or_default()
             ),
+            (Some(KILL), _) if self.before.memory_ran_out() => {
+                "the system has killed the program (SIGKILL) because memory ran out".to_owned()
+            }
             // One from outside would have been noted, unless an FMU handles signals itself.
             (Some(signal), _) if crash_name(signal).is_some() => match calls.as_slice() {
                 [] => format!("the program {} while no FMU was called", crash(signal)),

@@ -1,6 +1,7 @@
 //! What the system says of memory and processor time: whether it has ended a process for want of them.
 
 use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Ticks of `/proc` a second.
 const TICKS: f64 = 100.0;
@@ -27,10 +28,32 @@ impl Resources {
     }
 }
 
-/// Number of processes that the system has killed for want of memory, where it counts them.
+/// Number of processes that the system has killed for want of memory, where it counts them: those of
+/// our control group, since other groups have limits of their own, or else of the whole system.
 fn kills() -> Option<u64> {
-    let counters = fs::read_to_string("/proc/vmstat").ok()?;
-    counters.lines().find_map(|line| line.strip_prefix("oom_kill ")?.parse().ok())
+    let groups = fs::read_to_string("/proc/self/cgroup").unwrap_or_default();
+    let files = event_files(&groups).chain([PathBuf::from("/proc/vmstat")]);
+    files.filter_map(|file| fs::read_to_string(file).ok()).find_map(|text| kills_in(&text))
+}
+
+/// Files that count what happened to the memory of our control group, of version 1 and 2; `groups` is
+/// what proc_pid_cgroup(5) says of a process.
+fn event_files(groups: &str) -> impl Iterator<Item = PathBuf> {
+    groups.lines().filter_map(|line| {
+        let mut parts = line.splitn(3, ':').skip(1);
+        let (root, file) = match parts.next()? {
+            "memory" => ("/sys/fs/cgroup/memory", "memory.oom_control"),
+            "" => ("/sys/fs/cgroup", "memory.events.local"),
+            _ => return None,
+        };
+        let group = parts.next()?.trim_start_matches('/');
+        Some(Path::new(root).join(group).join(file))
+    })
+}
+
+/// The count in such a file.
+fn kills_in(text: &str) -> Option<u64> {
+    text.lines().find_map(|line| line.strip_prefix("oom_kill ")?.parse().ok())
 }
 
 /// The limit of processor time, s, if the children that have ended came to it.
@@ -53,4 +76,24 @@ fn limit(name: &str) -> Option<f64> {
     let limits = fs::read_to_string("/proc/self/limits").ok()?;
     let line = limits.lines().find_map(|line| line.strip_prefix(name))?;
     line.split_whitespace().nth(1)?.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lines as Docker (version 2) and systemd with hierarchies of version 1 have them.
+    #[test]
+    fn the_count_of_the_own_group_is_read() {
+        let groups = "4:memory:/runs/7\n1:cpu:/runs\n0::/docker/ab\n";
+        let files: Vec<_> = event_files(groups).collect();
+        let wanted = [
+            "/sys/fs/cgroup/memory/runs/7/memory.oom_control",
+            "/sys/fs/cgroup/docker/ab/memory.events.local",
+        ];
+        assert_eq!(files, wanted.map(PathBuf::from));
+        assert_eq!(kills_in("oom_kill_disable 0\nunder_oom 0\noom_kill 3\n"), Some(3));
+        assert_eq!(kills_in("low 0\noom 2\noom_kill 1\noom_group_kill 0\n"), Some(1));
+        assert_eq!(kills_in("nr_free_pages 5\n"), None);
+    }
 }

@@ -24,13 +24,9 @@ impl Column {
     /// # Errors
     /// When it is no number, or out of the bounds.
     pub fn value(&self, table: &Table, row: usize, column: usize) -> Result<f64, Mistake> {
-        let value = table.number(row, column)?;
         match self.bounds {
-            Some([low, high]) if !(low..=high).contains(&value) => {
-                let wanted = format!("must lie between {low} and {high} {}", self.unit);
-                Err(table.error(row, column, wanted))
-            }
-            _ => Ok(value),
+            Some(bounds) => table.number_within(row, column, bounds, self.unit),
+            None => table.number(row, column),
         }
     }
 }

@@ -101,6 +101,27 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// The number in a row and a column, both counted from 0, of a `unit` and between `bounds`.
+    ///
+    /// # Errors
+    /// When it is no number, or out of the bounds.
+    pub fn number_within(
+        &self,
+        row: usize,
+        column: usize,
+        [low, high]: [f64; 2],
+        unit: &str,
+    ) -> Result<f64, Mistake> {
+        let value = self.number(row, column)?;
+        match (low..=high).contains(&value) {
+            true => Ok(value),
+            false => {
+                let wanted = format!("must lie between {low} and {high} {unit}");
+                Err(self.error(row, column, wanted))
+            }
+        }
+    }
+
     /// A mistake in a value: its column and it as the file has it, and what would be right.
     pub fn error(&self, row: usize, column: usize, wanted: impl AsRef<str>) -> Mistake {
         let (begin, record) = &self.rows[row];

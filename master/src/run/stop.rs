@@ -57,6 +57,9 @@ impl fmt::Display for Stopped {
     }
 }
 
+/// The signal of Ctrl-C.
+pub(super) const INTERRUPT: i32 = 2;
+
 /// What stands for a signal when the parent of the run has ended.
 pub const PARENT_GONE: i32 = 9;
 
@@ -64,7 +67,7 @@ pub const PARENT_GONE: i32 = 9;
 pub fn signal_name(signal: i32) -> String {
     match signal {
         1 => "the end of the terminal (SIGHUP)".to_owned(),
-        2 => "Ctrl-C (SIGINT)".to_owned(),
+        INTERRUPT => "Ctrl-C (SIGINT)".to_owned(),
         15 => "SIGTERM".to_owned(),
         PARENT_GONE => "the end of its parent process".to_owned(),
         24 => "the limit of processor time (SIGXCPU)".to_owned(),

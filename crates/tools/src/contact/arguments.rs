@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use contact::Roll;
 
+use super::outline::OutlineOptions;
 use crate::number::{not_negative, number, positive};
 
 /// Arguments of `hotfoot contact`.
@@ -28,18 +29,11 @@ pub struct ContactArguments {
     /// Track gauge, mm
     #[arg(long, default_value_t = 1435.0, value_parser = positive)]
     pub(super) gauge_mm: f64,
-    /// Depth below the top of the rail to which the gauge is measured, mm; 15.875 in North America
-    #[arg(long, default_value_t = 14.0, value_parser = positive)]
-    pub(super) gauge_depth_mm: f64,
     /// Distance of the flange backs, mm
     #[arg(long, default_value_t = 1360.0, value_parser = positive)]
     pub(super) flange_back_distance_mm: f64,
-    /// Distance of the running circle from the flange back, mm
-    #[arg(long, default_value_t = 70.0, value_parser = positive)]
-    pub(super) running_circle_mm: f64,
-    /// Wavelength to which files of points are made smooth, mm; 0 leaves them as they are
-    #[arg(long, default_value_t = 4.0, value_parser = not_negative)]
-    pub(super) smoothing_mm: f64,
+    #[command(flatten)]
+    pub(super) outline: OutlineOptions,
     /// Radius of the wheels at the running circle, m
     #[arg(long, default_value_t = 0.46, value_parser = positive)]
     pub(super) radius: f64,

@@ -3,11 +3,13 @@
 //! | file | part |
 //! |---|---|
 //! | `arguments.rs` | its options |
+//! | `outline.rs` | the options that it shares with `hotfoot profile` |
 //! | `placement.rs` | the wheelset at a displacement: contacts and the loads that they share |
 //! | `plot.rs` | what `--plot` draws |
 //! | `profile/` | `hotfoot profile`: what is understood of a file of points |
 
 mod arguments;
+mod outline;
 mod placement;
 mod plot;
 pub mod profile;

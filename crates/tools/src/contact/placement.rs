@@ -1,14 +1,13 @@
 //! A wheelset at a lateral displacement: its contacts, and how they share the load.
 
 use contact::{
-    ContactError, EquivalentConicity, ProfilePair, RailProfile, Reading, WheelContact,
-    WheelProfile, WheelsetPairs,
+    ContactError, EquivalentConicity, ProfilePair, RailProfile, WheelContact, WheelProfile,
+    WheelsetPairs,
 };
 
 use super::arguments::ContactArguments;
+use super::outline::MM;
 use crate::error::ToolError;
-
-const MM: f64 = 1e-3;
 
 /// Halvings of the interval in which a loaded wheel's descent is sought.
 const HALVINGS: usize = 50;
@@ -58,20 +57,16 @@ impl LoadedContact {
 
 /// Wheel and rail on each side.
 fn pairs(arguments: &ContactArguments) -> Result<WheelsetPairs, ContactError> {
-    let reading = Reading {
-        running_circle: arguments.running_circle_mm * MM,
-        wavelength: arguments.smoothing_mm * MM,
-        ..Reading::default()
-    };
+    let reading = arguments.outline.reading();
     let pair = |wheel: &str, rail: &str, radius| {
         Ok::<_, ContactError>(ProfilePair {
             wheel: WheelProfile::read(wheel, &reading)?,
             rail: RailProfile::read(rail, &reading)?,
             rail_inclination: arguments.inclination,
             gauge: arguments.gauge_mm * MM,
-            gauge_depth: arguments.gauge_depth_mm * MM,
+            gauge_depth: arguments.outline.gauge_depth_mm * MM,
             flange_back_distance: arguments.flange_back_distance_mm * MM,
-            running_circle_from_flange_back: arguments.running_circle_mm * MM,
+            running_circle_from_flange_back: reading.running_circle,
             nominal_radius: radius,
         })
     };

@@ -6,11 +6,8 @@ use super::{Folder, OpenSystem, OpenSystemError};
 use crate::run::after::FailedStep;
 use crate::run::folder::claim::release;
 use crate::run::perform::complete;
-use crate::run::stop::{Early, Stopped};
+use crate::run::stop::{Early, INTERRUPT, Stopped};
 use crate::run::write_report;
-
-/// What stands for Ctrl-C.
-const INTERRUPT: i32 = 2;
 
 impl OpenSystem {
     /// Whether it has results that are not complete yet.

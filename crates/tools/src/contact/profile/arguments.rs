@@ -5,8 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use contact::{ProfileKind, Reading};
 
-use super::dimensions::MM;
-use crate::number::{not_negative, positive};
+use crate::contact::outline::OutlineOptions;
 
 /// Arguments of `hotfoot profile`.
 #[derive(Args)]
@@ -19,15 +18,8 @@ pub struct ProfileArguments {
     /// Unit of the lengths, if it is another than the file says
     #[arg(long)]
     pub(super) unit: Option<Unit>,
-    /// Distance of the running circle from the flange back, mm
-    #[arg(long, default_value_t = 70.0, value_parser = positive)]
-    pub(super) running_circle_mm: f64,
-    /// Depth below the top of the rail to which the gauge is measured, mm; 15.875 in North America
-    #[arg(long, default_value_t = 14.0, value_parser = positive)]
-    pub(super) gauge_depth_mm: f64,
-    /// Wavelength to which the outline is made smooth, mm; 0 leaves it as it is
-    #[arg(long, default_value_t = 4.0, value_parser = not_negative)]
-    pub(super) smoothing_mm: f64,
+    #[command(flatten)]
+    pub(super) outline: OutlineOptions,
     /// Turn a rail round, so that its other side is that of the gauge
     #[arg(long)]
     pub(super) mirror: bool,
@@ -43,10 +35,9 @@ impl ProfileArguments {
     /// How the file is to be read.
     pub(super) fn reading(&self) -> Reading {
         Reading {
-            running_circle: self.running_circle_mm * MM,
-            wavelength: self.smoothing_mm * MM,
             per_metre: self.unit.map(Unit::per_metre),
             mirrored: self.mirror,
+            ..self.outline.reading()
         }
     }
 }

@@ -1,7 +1,6 @@
 //! Lengths by which people know a profile.
 
-/// A millimetre, in m.
-pub(super) const MM: f64 = 1e-3;
+use crate::contact::outline::MM;
 
 /// Height beyond the running circle at which the thickness of a flange is measured, m (EN 15313).
 const THICKNESS_AT: f64 = 10.0 * MM;

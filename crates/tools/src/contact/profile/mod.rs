@@ -14,8 +14,8 @@ use contact::{ProfileFile, ProfileKind};
 
 pub use arguments::ProfileArguments;
 
+use super::outline::MM;
 use crate::error::ToolError;
-use dimensions::MM;
 
 /// What was understood of the file, a line each; draws and writes what the options name.
 ///
@@ -72,7 +72,7 @@ fn understood(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static
 }
 
 fn wheel(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str, String)> {
-    let circle = arguments.running_circle_mm * MM;
+    let circle = arguments.outline.running_circle_mm * MM;
     let flange = dimensions::Flange::new(file.profile.outline(), circle);
     let known = |length: Option<f64>| length.map_or("not in the points".into(), mm);
     vec![
@@ -95,7 +95,7 @@ fn wheel(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str,
 }
 
 fn rail(arguments: &ProfileArguments, file: &ProfileFile) -> Vec<(&'static str, String)> {
-    let depth = arguments.gauge_depth_mm * MM;
+    let depth = arguments.outline.gauge_depth_mm * MM;
     let [top, _] = file.profile.top();
     let reached = file.profile.gauge_depth();
     let gauge = match dimensions::gauge_point(file.profile.outline(), file.profile.top(), depth) {

@@ -3,7 +3,8 @@
 use contact::{ProfileFile, ProfileKind};
 
 use super::arguments::ProfileArguments;
-use super::dimensions::{MM, gauge_point};
+use super::dimensions::gauge_point;
+use crate::contact::outline::MM;
 use crate::plot::{BLACK, BLUE, Curve, Page, Panel, SKY, VERMILION};
 
 /// Points of the curve that are drawn.
@@ -32,11 +33,14 @@ pub(super) fn page(arguments: &ProfileArguments, file: &ProfileFile) -> Page {
     });
     let marks = match file.kind {
         ProfileKind::Wheel => {
-            vec![(-arguments.running_circle_mm, -file.profile.at(begin).height / MM), (0.0, 0.0)]
+            vec![
+                (-arguments.outline.running_circle_mm, -file.profile.at(begin).height / MM),
+                (0.0, 0.0),
+            ]
         }
         ProfileKind::Rail => {
             let [top, height] = file.profile.top();
-            let depth = arguments.gauge_depth_mm * MM;
+            let depth = arguments.outline.gauge_depth_mm * MM;
             let gauge = gauge_point(outline, [top, height], depth);
             let gauge = gauge.map(|lateral| point([lateral, height + depth]));
             gauge.into_iter().chain([point([top, height])]).collect()

@@ -33,16 +33,7 @@ pub(super) fn location(document: &Document) -> Result<([f64; 2], TimeDelta), Mis
         let sentence = "must begin with the line LOCATION of a weather file of EnergyPlus";
         return Err(document.mistake(0..1, sentence));
     }
-    let within = |column: usize, bound: f64, unit: &str| {
-        let value = table.number(0, column)?;
-        match (-bound..=bound).contains(&value) {
-            true => Ok(value),
-            false => {
-                let wanted = format!("must lie between -{bound} and {bound} {unit}");
-                Err(table.error(0, column, wanted))
-            }
-        }
-    };
+    let within = |column, bound: f64, unit| table.number_within(0, column, [-bound, bound], unit);
     let site = [within(LATITUDE, 90.0, "°")?, within(LONGITUDE, 180.0, "°")?];
     let zone = within(ZONE, 14.0, "h")?;
     Ok((site.map(f64::to_radians), TimeDelta::seconds((3600.0 * zone).round() as i64)))

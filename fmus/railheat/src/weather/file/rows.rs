@@ -166,6 +166,7 @@ mod tests {
             assert!(sentence.contains(wanted), "{sentence}");
         }
     }
+
     /// At noon in Rockhampton, whose sun stands 43° high in June.
     #[test]
     fn global_irradiance_is_split_by_date_and_sun() {
