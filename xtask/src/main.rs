@@ -3,6 +3,7 @@
 //! | file | task |
 //! |---|---|
 //! | `book/` | the book |
+//! | `creep_table.rs` | the table of the creep law |
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
 //! | `foot_study.rs` | the runs of the foot study, its table and expected figures |
 //! | `instructions.rs` | instructions of a vehicle's step, counted |
@@ -12,6 +13,7 @@
 //! | `shell.rs` | running commands |
 
 mod book;
+mod creep_table;
 mod fmus;
 mod foot_study;
 mod instructions;
@@ -55,6 +57,12 @@ enum Task {
         /// Write what the runs gave as their expected figures
         #[arg(long)]
         write_expected: bool,
+    },
+    /// Make the table of the creep law anew (half an hour on two cores)
+    CreepTable {
+        /// Solve only every so many rays, and write nothing: how long all would take
+        #[arg(long)]
+        every: Option<usize>,
     },
     /// Build the book in target/book/html
     Book,
@@ -103,6 +111,7 @@ fn main() -> Result<()> {
             print!("{}", foot_study::table(&results)?);
             Ok(())
         }
+        Task::CreepTable { every } => creep_table::make(every),
         Task::Book => {
             println!("{}", book::build()?.display());
             Ok(())

@@ -1,0 +1,250 @@
+//! Tractions of steady rolling on the grid, column by column from the leading edge.
+//!
+//! The derivative in C12 is the difference over one element towards the leading edge, as in Kalker's
+//! algorithm, and the motion counts at its middle. What is upstream thus acts as in a march, what is
+//! downstream weakly. So columns across the rolling direction are solved one after the other from the
+//! leading edge on, and the whole is repeated until nothing changes: a block Gauss-Seidel iteration, in
+//! the manner of Vollebregt's SteadyGS (A Gauss-Seidel type solver for special convex optimization
+//! problems, with application to frictional contact mechanics, 2010).
+
+use super::flash;
+use super::grid::{Cells, Grid};
+use super::influence::Influence;
+use std::f64::consts::PI;
+
+/// Change of the tractions by which an iteration ends, by their sum.
+const TOLERANCE: f64 = 2e-6;
+
+/// Most iterations; none of the table's nodes needs half as many.
+const ITERATIONS: usize = 300;
+
+/// Sweeps through a column before the next one is solved.
+const SWEEPS: usize = 10;
+
+/// Values that are added up side by side.
+const LANES: usize = 4;
+
+/// Creepages and spin with a b = 1, G = 1 and mu times the largest pressure 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RollingMotion {
+    /// Longitudinal creepage.
+    pub longitudinal: f64,
+    /// Lateral creepage.
+    pub lateral: f64,
+    /// Spin.
+    pub spin: f64,
+}
+
+/// Forces in the direction of the motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RollingForces {
+    /// Longitudinal force by mu N.
+    pub longitudinal: f64,
+    /// Lateral force by mu N.
+    pub lateral: f64,
+    /// Moment of the tractions about the normal by mu N sqrt(a b).
+    pub moment: f64,
+    /// Highest flash temperature, by that of a whole contact that slips with the same power.
+    pub flash: f64,
+    /// Share of the power that is found as traction times slip; the rest is lost to the grid.
+    pub resolved: f64,
+    /// Iterations taken.
+    pub iterations: usize,
+}
+
+/// An ellipse and its elements; tractions of the last motion are the start for the next one.
+pub struct RollingContact {
+    grid: Grid,
+    influence: Influence,
+    /// Semi-axes.
+    axes: [f64; 2],
+    /// Tractions along x and y, row by row.
+    tractions: [Vec<f64>; 2],
+    /// Slip along x and y of the elements of one column.
+    slip: [Vec<f64>; 2],
+}
+
+impl RollingContact {
+    /// An ellipse with the ratio a/b of its semi-axes.
+    pub fn new(a_over_b: f64, poisson_ratio: f64, cells: Cells) -> Self {
+        let a = a_over_b.sqrt();
+        let grid = Grid::new(a, 1.0 / a, cells);
+        let influence = Influence::new(grid.size, cells, poisson_ratio);
+        let elements = cells.along * cells.across;
+        Self {
+            influence,
+            axes: [a, 1.0 / a],
+            tractions: [vec![0.0; elements], vec![0.0; elements]],
+            slip: [vec![0.0; cells.across], vec![0.0; cells.across]],
+            grid,
+        }
+    }
+
+    /// Forgets the last motion.
+    pub fn reset(&mut self) {
+        self.tractions.iter_mut().for_each(|tractions| tractions.fill(0.0));
+    }
+
+    /// Forces in steady rolling.
+    pub fn solve(&mut self, motion: &RollingMotion) -> RollingForces {
+        let mut iterations = 0;
+        loop {
+            iterations += 1;
+            let (mut change, mut sum) = (0.0, f64::MIN_POSITIVE);
+            for column in (0..self.grid.cells.along).rev() {
+                let (of_column, all) = self.solve_column(motion, column);
+                change += of_column;
+                sum += all;
+            }
+            if change <= TOLERANCE * sum || iterations == ITERATIONS {
+                return self.forces(motion, iterations);
+            }
+        }
+    }
+
+    /// Solves one column with all others as they are; change and sum of its tractions.
+    fn solve_column(&mut self, motion: &RollingMotion, column: usize) -> (f64, f64) {
+        let along = self.grid.cells.along;
+        let rows = self.rows_of(column);
+        for row in rows.clone() {
+            let [x, y] = self.slip_at(motion, column, row);
+            self.slip[0][row] = x;
+            self.slip[1][row] = y;
+        }
+        let scale: f64 = std::env::var("SCALE").map_or(1.0, |s| s.parse().unwrap());
+        let stiffness = self.influence.in_column(0).map(|v| v * scale);
+        let (mut change, mut sum) = (0.0, 0.0);
+        for sweep in 0..SWEEPS {
+            for step in 0..rows.len() {
+                let row = if sweep % 2 == 0 { rows.start + step } else { rows.end - 1 - step };
+                let at = row * along + column;
+                let before = [self.tractions[0][at], self.tractions[1][at]];
+                let free = [0, 1].map(|i| self.slip[i][row] + stiffness[i] * before[i]);
+                let after = traction(free, stiffness, self.grid.bound[at]);
+                let moved = [after[0] - before[0], after[1] - before[1]];
+                for other in rows.clone() {
+                    let [xx, yy] = self.influence.in_column(other.abs_diff(row));
+                    self.slip[0][other] -= xx * moved[0];
+                    self.slip[1][other] -= yy * moved[1];
+                }
+                self.tractions[0][at] = after[0];
+                self.tractions[1][at] = after[1];
+                change += moved[0].abs() + moved[1].abs();
+                if sweep == 0 {
+                    sum += after[0].abs() + after[1].abs();
+                }
+            }
+        }
+        (change, sum)
+    }
+
+    /// Rows that have an element in this column.
+    fn rows_of(&self, column: usize) -> std::ops::Range<usize> {
+        let inside = |rows: &(usize, usize)| (rows.0..rows.1).contains(&column);
+        let first = self.grid.rows.iter().position(inside).unwrap_or(0);
+        first..self.grid.cells.across - first
+    }
+
+    /// Slip of an element with all tractions as they are (C12).
+    fn slip_at(&self, motion: &RollingMotion, column: usize, row: usize) -> [f64; 2] {
+        let along = self.grid.cells.along;
+        let (x, y) = self.grid.middle(column, row);
+        let mut slip = [
+            motion.longitudinal - motion.spin * y,
+            motion.lateral + motion.spin * (x + 0.5 * self.grid.size[0]),
+        ];
+        for (source, &(first, end)) in self.grid.rows.iter().enumerate() {
+            let kernel = self.influence.from_row(column, source.abs_diff(row), first);
+            let range = source * along + first..source * along + end;
+            let tractions = [&self.tractions[0][range.clone()], &self.tractions[1][range]];
+            let [xx, x_by_y, y_by_x, yy] = products(kernel, tractions);
+            let sign = if row < source { -1.0 } else { 1.0 };
+            slip[0] += xx + sign * x_by_y;
+            slip[1] += yy + sign * y_by_x;
+        }
+        slip
+    }
+
+    /// Sums over all elements.
+    fn forces(&self, motion: &RollingMotion, iterations: usize) -> RollingForces {
+        let along = self.grid.cells.along;
+        let [mut longitudinal, mut lateral, mut moment] = [0.0; 3];
+        let mut flux = vec![0.0; self.grid.bound.len()];
+        for (row, &(first, end)) in self.grid.rows.iter().enumerate() {
+            for column in first..end {
+                let at = row * along + column;
+                let (x, y) = self.grid.middle(column, row);
+                let [qx, qy] = [self.tractions[0][at], self.tractions[1][at]];
+                longitudinal += qx;
+                lateral += qy;
+                moment += x * qy - y * qx;
+                if libm::hypot(qx, qy) > (1.0 - 1e-9) * self.grid.bound[at] {
+                    let slip = self.slip_at(motion, column, row);
+                    flux[at] = (qx * slip[0] + qy * slip[1]).max(0.0);
+                }
+            }
+        }
+        let share = self.grid.size[0] * self.grid.size[1] / (2.0 / 3.0 * PI);
+        let power = longitudinal * motion.longitudinal + lateral * motion.lateral;
+        let power = power + moment * motion.spin;
+        RollingForces {
+            longitudinal: share * longitudinal,
+            lateral: share * lateral,
+            moment: share * moment,
+            flash: flash::peak(&self.grid, self.axes[0], &flux),
+            resolved: flux.iter().sum::<f64>() / power,
+            iterations,
+        }
+    }
+}
+
+/// Sums of xx qx, xy qy, xy qx and yy qy.
+fn products([xx, xy, yy]: [&[f64]; 3], [qx, qy]: [&[f64]; 2]) -> [f64; 4] {
+    let count = qx.len();
+    let (xx, xy, yy, qy) = (&xx[..count], &xy[..count], &yy[..count], &qy[..count]);
+    let mut sums = [[0.0; LANES]; 4];
+    let whole = count - count % LANES;
+    for begin in (0..whole).step_by(LANES) {
+        let part = |values: &[f64]| -> [f64; LANES] {
+            *values[begin..].first_chunk().expect("whole chunks only")
+        };
+        let (xx, xy, yy, qx, qy) = (part(xx), part(xy), part(yy), part(qx), part(qy));
+        for lane in 0..LANES {
+            sums[0][lane] += xx[lane] * qx[lane];
+            sums[1][lane] += xy[lane] * qy[lane];
+            sums[2][lane] += xy[lane] * qx[lane];
+            sums[3][lane] += yy[lane] * qy[lane];
+        }
+    }
+    let mut totals = sums.map(|lanes| lanes.iter().sum::<f64>());
+    for at in whole..count {
+        totals[0] += xx[at] * qx[at];
+        totals[1] += xy[at] * qy[at];
+        totals[2] += xy[at] * qx[at];
+        totals[3] += yy[at] * qy[at];
+    }
+    totals
+}
+
+/// The traction of one element where slip is `free` less stiffness times traction (C13).
+fn traction(free: [f64; 2], stiffness: [f64; 2], bound: f64) -> [f64; 2] {
+    let at = |resistance: f64| [0, 1].map(|i| free[i] / (stiffness[i] + resistance));
+    let stuck = at(0.0);
+    let size = libm::hypot(stuck[0], stuck[1]);
+    if size <= bound {
+        return stuck;
+    }
+    // Slip is `resistance` times traction; the bound tells how much, by Newton's method on 1/|q|.
+    let mut resistance = 0.0;
+    let (mut q, mut size) = (stuck, size);
+    for _ in 0..8 {
+        let slope = q[0] * q[0] / (stiffness[0] + resistance) + q[1] * q[1] / (stiffness[1] + resistance);
+        resistance += size * size / slope * (size / bound - 1.0);
+        q = at(resistance);
+        size = libm::hypot(q[0], q[1]);
+        if (size - bound).abs() <= 1e-12 * bound {
+            break;
+        }
+    }
+    [q[0] * bound / size, q[1] * bound / size]
+}
