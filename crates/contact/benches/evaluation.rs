@@ -1,8 +1,8 @@
 //! Cost of what a vehicle evaluates for each wheel in each step, and of making a table.
 
 use contact::{
-    CreepLaw, ExactRolling, FallingFriction, GeometryTable, ModifiedFastsim, Polach, ProfilePair, RailProfile,
-    Reduction, SlipVelocity, WheelPosition, WheelProfile, wheelset_geometry,
+    CreepLaw, ExactRolling, FallingFriction, GeometryTable, ModifiedFastsim, Polach, ProfilePair,
+    RailProfile, Reduction, SlipVelocity, WheelPosition, WheelProfile, wheelset_geometry,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -29,10 +29,7 @@ fn evaluation(c: &mut Criterion) {
     let friction = FallingFriction::constant(0.3);
     let reduction = Reduction::EUROSPRINTER;
     for (name, law) in [
-        (
-            "exact rolling by table",
-            CreepLaw::ExactRolling(ExactRolling::new(reduction, friction)),
-        ),
+        ("exact rolling by table", CreepLaw::ExactRolling(ExactRolling::new(reduction, friction))),
         (
             "modified FASTSIM on line, 10 x 20",
             CreepLaw::Fastsim(ModifiedFastsim::on_line(reduction, friction, 5, 20)),

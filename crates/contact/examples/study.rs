@@ -20,9 +20,22 @@ fn main() {
                     c.reset();
                     let s = c.solve(&RollingMotion { spin: e, ..Default::default() });
                     let u = 2.0 / 3.0 * PI / e;
-                    println!("a/b {r} n {n} {cells:?}: c11 {:.4} ({:.4}) c22 {:.4} ({:.4}) c23 {:.4} {:.4} ({:.4}) c33 {:.4} ({:.4}) it {} {} {} {:?}",
-                        x.longitudinal * u, k.c11, y.lateral * u, k.c22, s.lateral * u, y.moment * u, k.c23, s.moment * u, k.c33,
-                        x.iterations, y.iterations, s.iterations, t.elapsed());
+                    println!(
+                        "a/b {r} n {n} {cells:?}: c11 {:.4} ({:.4}) c22 {:.4} ({:.4}) c23 {:.4} {:.4} ({:.4}) c33 {:.4} ({:.4}) it {} {} {} {:?}",
+                        x.longitudinal * u,
+                        k.c11,
+                        y.lateral * u,
+                        k.c22,
+                        s.lateral * u,
+                        y.moment * u,
+                        k.c23,
+                        s.moment * u,
+                        k.c33,
+                        x.iterations,
+                        y.iterations,
+                        s.iterations,
+                        t.elapsed()
+                    );
                 }
             }
         }
@@ -30,7 +43,11 @@ fn main() {
             let v: Vec<f64> = arg[2].split(',').map(|x| x.parse().unwrap()).collect();
             let k = CreepCoefficients::new(v[0], 0.28);
             let mn = 2.0 / 3.0 * PI;
-            let m = RollingMotion { longitudinal: v[1] * 3.0 * mn / k.c11, lateral: v[2] * 3.0 * mn / k.c22, spin: v[3] * mn / k.c23 };
+            let m = RollingMotion {
+                longitudinal: v[1] * 3.0 * mn / k.c11,
+                lateral: v[2] * 3.0 * mn / k.c22,
+                spin: v[3] * mn / k.c23,
+            };
             for n in arg[3].split(',') {
                 let n = n.parse().unwrap();
                 let t = Instant::now();
@@ -47,13 +64,38 @@ fn main() {
                 let v: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
                 let k = CreepCoefficients::new(v[0], 0.28);
                 let mn = 2.0 / 3.0 * PI;
-                let m = RollingMotion { longitudinal: v[1] * 3.0 * mn / k.c11, lateral: v[2] * 3.0 * mn / k.c22, spin: v[3] * mn / k.c23 };
-                let f: Vec<RollingForces> = [n, n * 3 / 2].iter().map(|&n| RollingContact::new(v[0], 0.28, cells(v[0], n)).solve(&m)).collect();
+                let m = RollingMotion {
+                    longitudinal: v[1] * 3.0 * mn / k.c11,
+                    lateral: v[2] * 3.0 * mn / k.c22,
+                    spin: v[3] * mn / k.c23,
+                };
+                let f: Vec<RollingForces> = [n, n * 7 / 6]
+                    .iter()
+                    .map(|&n| RollingContact::new(v[0], 0.28, cells(v[0], n)).solve(&m))
+                    .collect();
                 let ex = |g: fn(&RollingForces) -> f64| 3.0 * g(&f[1]) - 2.0 * g(&f[0]);
                 let (fx, fy) = (ex(|f| f.longitudinal), ex(|f| f.lateral));
                 let err = |x: f64, y: f64| (x - v[4]).hypot(y - v[5]);
-                let e = [err(f[0].longitudinal, f[0].lateral), err(f[1].longitudinal, f[1].lateral), err(fx, fy)];
-                println!("{line}: {:.4} {:.4} | {:.4} {:.4} | {fx:.4} {fy:.4} err {:.4} {:.4} {:.4} it {} {} res {:.3} flash {:.3} {:.3}", f[0].longitudinal, f[0].lateral, f[1].longitudinal, f[1].lateral, e[0], e[1], e[2], f[0].iterations, f[1].iterations, f[1].resolved, f[0].flash, f[1].flash);
+                let e = [
+                    err(f[0].longitudinal, f[0].lateral),
+                    err(f[1].longitudinal, f[1].lateral),
+                    err(fx, fy),
+                ];
+                println!(
+                    "{line}: {:.4} {:.4} | {:.4} {:.4} | {fx:.4} {fy:.4} err {:.4} {:.4} {:.4} it {} {} res {:.3} flash {:.3} {:.3}",
+                    f[0].longitudinal,
+                    f[0].lateral,
+                    f[1].longitudinal,
+                    f[1].lateral,
+                    e[0],
+                    e[1],
+                    e[2],
+                    f[0].iterations,
+                    f[1].iterations,
+                    f[1].resolved,
+                    f[0].flash,
+                    f[1].flash
+                );
                 sums.push(e);
             }
             for i in 0..3 {

@@ -30,8 +30,8 @@ mod material;
 mod profile;
 pub mod rolling;
 
-pub use creep::flexibility::Reduction;
 pub use creep::exact_rolling::ExactRolling;
+pub use creep::flexibility::Reduction;
 pub use creep::friction::{FallingFriction, Friction};
 pub use creep::friction_by_temperature::FrictionByTemperature;
 pub use creep::law::CreepLaw;

@@ -77,11 +77,8 @@ impl ExactRolling {
         // Interpolation may exceed what it must not by a trifle: heat never drives the wheel.
         let spun = (direction * limit * reach * moment * slip.spin).max(-slide);
         let power = slide + spun;
-        let spin_moment = if slip.spin == 0.0 {
-            -direction * limit * reach * moment
-        } else {
-            -spun / slip.spin
-        };
+        let spin_moment =
+            if slip.spin == 0.0 { -direction * limit * reach * moment } else { -spun / slip.spin };
         let square = damping * along * damping * along + force * force;
         let cut = if square > limit * limit { limit / square.sqrt() } else { 1.0 };
         CreepForces {

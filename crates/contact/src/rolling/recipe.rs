@@ -1,7 +1,7 @@
 //! How the table of the creep law is made: a ray of growing creepage at a time.
 
 use super::grid::Cells;
-use super::solver::{RollingContact, RollingForces, RollingMotion};
+use super::solver::{RollingContact, RollingForces, RollingMotion, SPIN_AHEAD};
 use crate::creep::rolling_table::{self, FILE, HEAD_BYTES, NODES, Node};
 use crate::kalker::CreepCoefficients;
 use crate::material::STEEL;
@@ -16,8 +16,11 @@ const LEAST_SIZE: f64 = 0.005;
 /// Share of the power below which the grid does not resolve the slip zone.
 const RESOLVED: f64 = 0.7;
 
-/// Coarse grid, refined by half for the other one.
-const COARSE: usize = 20;
+/// Elements along each axis of a circle.
+const ELEMENTS: usize = 23;
+
+/// Least number of elements along the shorter axis.
+const LEAST_ELEMENTS: usize = 16;
 
 /// One ray of the table: all sizes of a motion at these indices over direction, spin and shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,7 +79,10 @@ pub fn node(ray: Ray, size: usize) -> [f32; 8] {
 
 /// Hash of the recipe and of the nodes (FNV-1a).
 fn hash(nodes: &[u8]) -> u64 {
-    let recipe = format!("{NODES:?} {EDGE} {LEAST_SIZE} {RESOLVED} {COARSE} {:?}", STEEL.poisson_ratio);
+    let recipe = format!(
+        "{NODES:?} {EDGE} {LEAST_SIZE} {RESOLVED} {ELEMENTS} {LEAST_ELEMENTS} {SPIN_AHEAD} {}",
+        STEEL.poisson_ratio
+    );
     recipe.bytes().chain(nodes.iter().copied()).fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
     })
@@ -101,17 +107,16 @@ pub fn nodes(ray: Ray) -> Vec<[f32; 8]> {
 struct Solver {
     ray: Ray,
     a_over_b: f64,
-    /// For lateral creepage with spin and against it, on the coarse and on the fine grid.
-    contacts: [[RollingContact; 2]; 2],
+    /// For lateral creepage with spin and against it.
+    contacts: [RollingContact; 2],
     resolved: Vec<f64>,
 }
 
 impl Solver {
     fn new(ray: Ray) -> Self {
         let a_over_b = rolling_table::shape_at(share(ray.shape, 3));
-        let grids = [cells(a_over_b, COARSE), cells(a_over_b, COARSE + COARSE / 2)];
-        let contact = |cells| RollingContact::new(a_over_b, STEEL.poisson_ratio, cells);
-        let contacts = [grids.map(contact), grids.map(contact)];
+        let contact = || RollingContact::new(a_over_b, STEEL.poisson_ratio, cells(a_over_b));
+        let contacts = [contact(), contact()];
         Self { ray, a_over_b, contacts, resolved: Vec::new() }
     }
 
@@ -127,7 +132,7 @@ impl Solver {
         let (nx, ny) = (slide * (1.0 - direction) / diagonal, slide * direction / diagonal);
         let mut solve = |against: usize| {
             let lateral = if against == 1 { -ny } else { ny };
-            extrapolated(&mut self.contacts[against], self.a_over_b, [nx, lateral, nz])
+            solved(&mut self.contacts[against], self.a_over_b, [nx, lateral, nz])
         };
         let (with, against) = (solve(0), solve(1));
         self.resolved.push(with.resolved.min(against.resolved));
@@ -156,34 +161,26 @@ fn share(index: usize, coordinate: usize) -> f64 {
     index as f64 / (NODES[coordinate] - 1) as f64
 }
 
-/// A grid with about `number` elements along each axis of a circle; slender ellipses have more along
-/// the longer axis.
-fn cells(a_over_b: f64, number: usize) -> Cells {
-    let stretch = a_over_b.powf(0.25).clamp(0.7, 1.5);
-    let count = |factor: f64| (number as f64 * factor / 2.0).round() as usize * 2;
+/// Elements of an ellipse; slender ones have more along the longer axis.
+fn cells(a_over_b: f64) -> Cells {
+    let stretch = a_over_b.powf(0.25);
+    let count = |factor: f64| {
+        let count = (ELEMENTS as f64 * factor.min(1.5) / 2.0).round() as usize * 2;
+        count.max(LEAST_ELEMENTS)
+    };
     Cells { along: count(stretch), across: count(1.0 / stretch) }
 }
 
-/// Forces at the motion (nx, ny, nz) of C15 by two grids, without the error of first order in the size of
-/// their elements. The moment is by mu N R.
-pub(super) fn extrapolated(
-    contacts: &mut [RollingContact; 2],
-    a_over_b: f64,
-    [nx, ny, nz]: [f64; 3],
-) -> RollingForces {
+/// Forces at the motion (nx, ny, nz) of C15; the moment is by mu N R.
+fn solved(contact: &mut RollingContact, a_over_b: f64, [nx, ny, nz]: [f64; 3]) -> RollingForces {
     let kalker = CreepCoefficients::new(a_over_b, STEEL.poisson_ratio);
     // a b G = 1 and mu N = 2 pi/3.
     let unit = 2.0 * PI / (0.5 * (kalker.c11 + kalker.c22));
     let reach = (a_over_b + 1.0 / a_over_b).sqrt();
-    let motion =
-        RollingMotion { longitudinal: unit * nx, lateral: unit * ny, spin: unit * nz / reach };
-    let [coarse, fine] = contacts;
-    let (coarse, fine) = (coarse.solve(&motion), fine.solve(&motion));
-    let limit = |of: fn(&RollingForces) -> f64| 3.0 * of(&fine) - 2.0 * of(&coarse);
-    RollingForces {
-        longitudinal: limit(|forces| forces.longitudinal),
-        lateral: limit(|forces| forces.lateral),
-        moment: limit(|forces| forces.moment) / reach,
-        ..fine
-    }
+    let forces = contact.solve(&RollingMotion {
+        longitudinal: unit * nx,
+        lateral: unit * ny,
+        spin: unit * nz / reach,
+    });
+    RollingForces { moment: forces.moment / reach, ..forces }
 }

@@ -9,8 +9,8 @@
 use crate::{near, pair};
 use contact::kalker::CreepCoefficients;
 use contact::{
-    ContactPatch, CreepForces, CreepLaw, ExactRolling, FallingFriction, ModifiedFastsim, Polach, Reduction, STEEL,
-    SlipVelocity, WheelContact, wheelset_geometry,
+    ContactPatch, CreepForces, CreepLaw, ExactRolling, FallingFriction, ModifiedFastsim, Polach,
+    Reduction, STEEL, SlipVelocity, WheelContact, wheelset_geometry,
 };
 
 const MM: f64 = 1e-3;

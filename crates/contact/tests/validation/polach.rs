@@ -1,7 +1,9 @@
 //! Polach's creep law against published curves.
 
 use crate::{PAGE, eurosprinter, near, pair};
-use contact::{ContactPatch, FallingFriction, Friction, GeometryTable, Polach, STEEL, SlipVelocity};
+use contact::{
+    ContactPatch, FallingFriction, Friction, GeometryTable, Polach, STEEL, SlipVelocity,
+};
 use std::f64::consts::PI;
 use validation::Row;
 

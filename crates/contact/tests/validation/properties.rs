@@ -2,8 +2,8 @@
 
 use contact::kalker::CreepCoefficients;
 use contact::{
-    ContactPatch, CreepForces, CreepLaw, ExactRolling, FallingFriction, ModifiedFastsim, Polach, REFERENCE_SPEED_MIN, Reduction,
-    SlipVelocity,
+    ContactPatch, CreepForces, CreepLaw, ExactRolling, FallingFriction, ModifiedFastsim, Polach,
+    REFERENCE_SPEED_MIN, Reduction, SlipVelocity,
 };
 use proptest::prelude::*;
 

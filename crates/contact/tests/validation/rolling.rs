@@ -153,10 +153,7 @@ fn benchmark_exact_rolling_starts_with_kalker() {
 #[test]
 fn property_shipped_table_follows_its_recipe() {
     assert!(recipe::shipped_is_whole(), "run cargo xtask creep-table");
-    let rays = [
-        Ray { direction: 3, spin: 5, shape: 2 },
-        Ray { direction: 6, spin: 11, shape: 7 },
-    ];
+    let rays = [Ray { direction: 3, spin: 5, shape: 2 }, Ray { direction: 6, spin: 11, shape: 7 }];
     for ray in rays {
         for size in [3, 12, 18] {
             let (solved, shipped) = (recipe::node(ray, size), recipe::shipped(ray, size));

@@ -152,14 +152,16 @@ mod tests {
     }
 
     fn with_friction(text: &str) -> Result<(), Mistake> {
-        let document = Document::new("v.toml", format!("source = \"test\"\nfriction = 0.3\n{text}"));
+        let document =
+            Document::new("v.toml", format!("source = \"test\"\nfriction = 0.3\n{text}"));
         document.parse::<CreepLaw>()?.check(&document.check())
     }
 
     #[test]
     fn friction_depends_on_slip_or_on_temperature() {
         with_friction("limit_ratio = 0.4\ntemperature_range_k = 400").unwrap();
-        with_friction("limit_ratio = 1.5\ntemperature_range_k = 400\nbulk_temperature_c = 30").unwrap();
+        with_friction("limit_ratio = 1.5\ntemperature_range_k = 400\nbulk_temperature_c = 30")
+            .unwrap();
         for (text, expected) in [
             ("limit_ratio = 0.4", "decay_s_m"),
             ("limit_ratio = 0.4\ndecay_s_m = 0.6\ntemperature_range_k = 400", "one of the two"),

@@ -94,8 +94,7 @@ fn flash(patch: &ContactPatch, forces: &CreepForces, speed: f64) -> f64 {
     let contact = Contact { normal_force: patch.normal_force, a: patch.a, b: patch.b };
     // Power by speed is the energy on a metre: force times creepage.
     let energy = forces.friction_power / speed;
-    forces.flash_factor
-        * flash_rise(&contact, energy, 1.0, speed, PARTITION, &Material::PAPER)
+    forces.flash_factor * flash_rise(&contact, energy, 1.0, speed, PARTITION, &Material::PAPER)
 }
 
 #[cfg(test)]

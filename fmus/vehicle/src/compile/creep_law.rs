@@ -1,8 +1,8 @@
 //! The creep law that a vehicle file chooses.
 
 use contact::{
-    CreepLaw, ExactRolling, FallingFriction, Friction, FrictionByTemperature, ModifiedFastsim, Polach,
-    Reduction,
+    CreepLaw, ExactRolling, FallingFriction, Friction, FrictionByTemperature, ModifiedFastsim,
+    Polach, Reduction,
 };
 use stock::CreepLawKind;
 
