@@ -65,12 +65,12 @@ impl Influence {
         influence
     }
 
-    /// xx, xy and yy at an element of column `column` by the elements from column `first` on of a row at
-    /// a distance of `across` rows.
-    pub(super) fn from_row(&self, column: usize, across: usize, first: usize) -> [&[f32]; 3] {
-        let length = 2 * self.along - 1;
-        let begin = across * length + self.along - 1 - column + first;
-        let end = (across + 1) * length;
+    /// xx, xy and yy at an element of column `column` by the elements of a row at a distance of `across`
+    /// rows.
+    #[inline]
+    pub(super) fn from_row(&self, column: usize, across: usize) -> [&[f32]; 3] {
+        let begin = across * (2 * self.along - 1) + self.along - 1 - column;
+        let end = begin + self.along;
         [&self.xx[begin..end], &self.xy[begin..end], &self.yy[begin..end]]
     }
 

@@ -1,7 +1,7 @@
 //! How the table of the creep law is made: a ray of growing creepage at a time.
 
 use super::grid::Cells;
-use super::solver::{RollingContact, RollingForces, RollingMotion, SPIN_AHEAD};
+use super::solver::{LANES, RollingContact, RollingForces, RollingMotion, SPIN_AHEAD};
 use crate::creep::rolling_table::{self, FILE, HEAD_BYTES, NODES, Node};
 use crate::kalker::CreepCoefficients;
 use crate::material::STEEL;
@@ -17,10 +17,7 @@ const LEAST_SIZE: f64 = 0.005;
 const RESOLVED: f64 = 0.7;
 
 /// Elements along each axis of a circle.
-const ELEMENTS: usize = 23;
-
-/// Least number of elements along the shorter axis.
-const LEAST_ELEMENTS: usize = 16;
+const ELEMENTS: usize = 24;
 
 /// One ray of the table: all sizes of a motion at these indices over direction, spin and shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +77,7 @@ pub fn node(ray: Ray, size: usize) -> [f32; 8] {
 /// Hash of the recipe and of the nodes (FNV-1a).
 fn hash(nodes: &[u8]) -> u64 {
     let recipe = format!(
-        "{NODES:?} {EDGE} {LEAST_SIZE} {RESOLVED} {ELEMENTS} {LEAST_ELEMENTS} {SPIN_AHEAD} {}",
+        "{NODES:?} {EDGE} {LEAST_SIZE} {RESOLVED} {ELEMENTS} {SPIN_AHEAD} {}",
         STEEL.poisson_ratio
     );
     recipe.bytes().chain(nodes.iter().copied()).fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
@@ -161,14 +158,12 @@ fn share(index: usize, coordinate: usize) -> f64 {
     index as f64 / (NODES[coordinate] - 1) as f64
 }
 
-/// Elements of an ellipse; slender ones have more along the longer axis.
+/// Elements of an ellipse: nearly square ones on contacts that are not too slender.
 fn cells(a_over_b: f64) -> Cells {
     let stretch = a_over_b.powf(0.25);
-    let count = |factor: f64| {
-        let count = (ELEMENTS as f64 * factor.min(1.5) / 2.0).round() as usize * 2;
-        count.max(LEAST_ELEMENTS)
-    };
-    Cells { along: count(stretch), across: count(1.0 / stretch) }
+    let count = |factor: f64| ELEMENTS as f64 * factor.clamp(0.66, 1.34);
+    let along = (count(stretch) / LANES as f64).round() as usize * LANES;
+    Cells { along, across: (count(1.0 / stretch) / 2.0).round() as usize * 2 }
 }
 
 /// Forces at the motion (nx, ny, nz) of C15; the moment is by mu N R.
