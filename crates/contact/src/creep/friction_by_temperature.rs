@@ -112,7 +112,7 @@ mod tests {
         for strip in 0..20 {
             let y = (f64::from(strip) + 0.5) / 20.0;
             let half = (1.0 - y * y).sqrt();
-            let scale = half.powf(1.5) / (HERTZ_PEAK * PI.sqrt());
+            let scale = half * half.sqrt() / (HERTZ_PEAK * PI.sqrt());
             let mut flux: Vec<f64> = Vec::new();
             for i in 0..ELEMENTS {
                 let upstream: f64 = (0..i).map(|j| flux[j] * weight(i - j)).sum();

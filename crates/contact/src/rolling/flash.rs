@@ -4,11 +4,12 @@
 //! rolling direction is by itself: the rise behind a flux f is the integral of f/sqrt(distance) upstream.
 
 use super::grid::Grid;
+use crate::flash::HERTZ_PEAK;
 use std::f64::consts::PI;
 
 /// Greatest value over s of the integral of sqrt(1 - u²)/sqrt(s - u) over u from -1 to s: the rise by a
 /// flux that is spread as Hertz's pressure.
-const WHOLE_CONTACT: f64 = 1.234_619_8 * 1.772_453_850_905_516;
+const WHOLE_CONTACT: f64 = HERTZ_PEAK * 1.772_453_850_905_516;
 
 /// Highest rise by the flux of each element, by that of the same power spread as Hertz's pressure.
 pub(super) fn peak(grid: &Grid, a: f64, flux: &[f64]) -> f64 {

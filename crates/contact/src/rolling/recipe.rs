@@ -160,7 +160,7 @@ fn share(index: usize, coordinate: usize) -> f64 {
 
 /// Elements of an ellipse: nearly square ones on contacts that are not too slender.
 fn cells(a_over_b: f64) -> Cells {
-    let stretch = a_over_b.powf(0.25);
+    let stretch = a_over_b.sqrt().sqrt();
     let count = |factor: f64| ELEMENTS as f64 * factor.clamp(0.66, 1.34);
     let along = (count(stretch) / LANES as f64).round() as usize * LANES;
     Cells { along, across: (count(1.0 / stretch) / 2.0).round() as usize * 2 }
