@@ -58,7 +58,7 @@ enum Task {
         #[arg(long)]
         write_expected: bool,
     },
-    /// Make the table of the creep law anew (half an hour on two cores)
+    /// Make the table of the creep law anew (ten minutes on two cores)
     CreepTable {
         /// Solve only every so many rays, and write nothing: how long all would take
         #[arg(long)]
