@@ -16,8 +16,9 @@
 use super::grid::Cells;
 use std::f64::consts::FRAC_1_PI;
 
-/// Derivative along x of the displacement by a unit traction on one element, for all distances, in single
-/// precision, which halves the time and is far finer than the grid.
+/// Derivative along x of the displacement by a unit traction on one element, for all distances.
+///
+/// In single precision, which halves the time and is far finer than the grid.
 ///
 /// It is the displacement one element ahead less the displacement here, by the length of an element:
 /// what a particle takes up while it travels by one element.
