@@ -69,7 +69,7 @@ impl Influence {
     /// xx, xy and yy at an element of column `column` by the elements of a row at a distance of `across`
     /// rows.
     #[inline]
-    pub(super) fn from_row(&self, column: usize, across: usize) -> [&[f32]; 3] {
+    pub(super) fn by_row(&self, column: usize, across: usize) -> [&[f32]; 3] {
         let begin = across * (2 * self.along - 1) + self.along - 1 - column;
         let end = begin + self.along;
         [&self.xx[begin..end], &self.xy[begin..end], &self.yy[begin..end]]

@@ -178,7 +178,7 @@ impl RollingContact {
     /// Adds what the tractions of the row `source` do at an element: xx qx, xy qy, xy qx and yy qy.
     fn add_row(&self, sums: &mut [[f32; LANES]; 4], column: usize, row: usize, source: usize) {
         let along = self.grid.cells.along;
-        let [xx, xy, yy] = self.influence.from_row(column, source.abs_diff(row));
+        let [xx, xy, yy] = self.influence.by_row(column, source.abs_diff(row));
         let range = source * along..(source + 1) * along;
         let [qx, qy] = [&self.tractions[0][range.clone()], &self.tractions[1][range]];
         let (xx, xy, yy, qy) = (&xx[..along], &xy[..along], &yy[..along], &qy[..along]);
