@@ -3,6 +3,7 @@
 //! | file | task |
 //! |---|---|
 //! | `book/` | the book |
+//! | `creep_table.rs` | the table of the creep law |
 //! | `fmus.rs` | build and pack the FMUs; the committed model descriptions |
 //! | `foot_study.rs` | the runs of the foot study, its table and expected figures |
 //! | `instructions.rs` | instructions of a vehicle's step, counted |
@@ -13,6 +14,7 @@
 //! | `shell.rs` | running commands |
 
 mod book;
+mod creep_table;
 mod fmus;
 mod foot_study;
 mod instructions;
@@ -69,6 +71,12 @@ enum Task {
         /// Further arguments of `hotfoot run`, behind `--`
         #[arg(last = true)]
         arguments: Vec<String>,
+        },
+    /// Make the table of the creep law anew (ten minutes on two cores)
+    CreepTable {
+        /// Solve only every so many rays, and write nothing: how long all would take
+        #[arg(long)]
+        every: Option<usize>,
     },
     /// Build the book in target/book/html
     Book,
@@ -124,6 +132,7 @@ fn main() -> Result<()> {
             }
             scenario_table::print(&results)
         }
+        Task::CreepTable { every } => creep_table::make(every),
         Task::Book => {
             println!("{}", book::build()?.display());
             Ok(())

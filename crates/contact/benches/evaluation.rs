@@ -1,8 +1,8 @@
 //! Cost of what a vehicle evaluates for each wheel in each step, and of making a table.
 
 use contact::{
-    CreepLaw, FallingFriction, GeometryTable, ModifiedFastsim, Polach, ProfilePair, RailProfile,
-    Reduction, SlipVelocity, WheelPosition, WheelProfile, wheelset_geometry,
+    CreepLaw, ExactRolling, FallingFriction, GeometryTable, ModifiedFastsim, Polach, ProfilePair,
+    RailProfile, Reduction, SlipVelocity, WheelPosition, WheelProfile, wheelset_geometry,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -29,16 +29,13 @@ fn evaluation(c: &mut Criterion) {
     let friction = FallingFriction::constant(0.3);
     let reduction = Reduction::EUROSPRINTER;
     for (name, law) in [
-        (
-            "modified FASTSIM by table",
-            CreepLaw::Fastsim(ModifiedFastsim::by_table(reduction, friction)),
-        ),
+        ("exact rolling by table", CreepLaw::ExactRolling(ExactRolling::new(reduction, friction))),
         (
             "modified FASTSIM on line, 10 x 20",
             CreepLaw::Fastsim(ModifiedFastsim::on_line(reduction, friction, 5, 20)),
         ),
         ("Polach", CreepLaw::Polach(Polach::DRY)),
-        ("Shen-Hedrick-Elkins", CreepLaw::ShenHedrickElkins(friction)),
+        ("Shen-Hedrick-Elkins", CreepLaw::ShenHedrickElkins(friction.into())),
     ] {
         c.bench_function(&format!("creep law: {name}"), |b| {
             b.iter(|| law.force(black_box(&patch), black_box(&slip), black_box(20.0)))

@@ -9,7 +9,9 @@
 //! | [`EquivalentConicity`] | the cone with the same wavelength | EN 15302 |
 //! | [`hertz`] | size and stiffness of the contact ellipse | Hertz, exact |
 //! | [`kalker`] | creep coefficients | Kalker 1990 |
-//! | [`CreepLaw`] | creep forces and friction power | Kalker 1982, Spiryagin 2013, Polach 2005 |
+//! | [`CreepLaw`] | creep forces and friction power | Kalker 1990, Spiryagin 2013, Polach 2005 |
+//! | [`rolling`] | the theory behind it, solved to make its table | Kalker 1990 |
+//! | [`flash`] | temperature of the surface | Carslaw and Jaeger |
 //!
 //! One wheel is seen in the plane across the track. `lateral` is positive towards the field side
 //! (away from the track's middle) on wheel and rail alike, heights are positive downwards. So the
@@ -21,14 +23,18 @@
 
 mod creep;
 mod error;
+pub mod flash;
 mod geometry;
 pub mod hertz;
 pub mod kalker;
 mod material;
 mod profile;
+pub mod rolling;
 
+pub use creep::exact_rolling::ExactRolling;
 pub use creep::flexibility::Reduction;
-pub use creep::friction::FallingFriction;
+pub use creep::friction::{FallingFriction, Friction};
+pub use creep::friction_by_temperature::FrictionByTemperature;
 pub use creep::law::CreepLaw;
 pub use creep::modified_fastsim::ModifiedFastsim;
 pub use creep::polach::Polach;

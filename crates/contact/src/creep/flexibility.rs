@@ -1,4 +1,4 @@
-//! Flexibilities of FASTSIM's foundation: reduced at large creep, and made one where all slips.
+//! Reduction of the contact's stiffness, and the flexibilities of FASTSIM's foundation.
 //!
 //! **Reduction** (modified FASTSIM). A contaminated contact is softer than Kalker's from the start and
 //! softens further with creep; measured locomotive curves reach their peak at 1 to 3 % for it.
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Source: Spiryagin, Polach and Cole, Creep force modelling for rail traction vehicles based on the
-//! Fastsim algorithm, VSD 51 (2013) 1765-1783, as coded in CONTACT. k0 = 1, alpha = 1 is FASTSIM.
+//! Fastsim algorithm, VSD 51 (2013) 1765-1783, as coded in CONTACT. k0 = 1, alpha = 1 is no reduction.
 //!
 //! **One flexibility at full sliding.** With three of them tractions do not oppose the slip where all
 //! slips. So from a third of the creepage of saturation on they go over into their mean
@@ -39,7 +39,7 @@ pub struct Reduction {
 }
 
 impl Reduction {
-    /// No reduction: FASTSIM as Kalker gave it.
+    /// No reduction: Kalker's theory as he gave it.
     pub const NONE: Self = Self { initial: 1.0, remaining: 1.0, fall: 0.0 };
 
     /// Siemens locomotive Eurosprinter 127, as in the examples of CONTACT (k0, alpha, beta).
@@ -47,7 +47,7 @@ impl Reduction {
 
     /// k of equation C6; `limit` is mu N.
     #[inline]
-    fn factor(&self, patch: &ContactPatch, creepages: &Creepages, limit: f64) -> f64 {
+    pub(crate) fn factor(&self, patch: &ContactPatch, creepages: &Creepages, limit: f64) -> f64 {
         let leading = creepages.lateral + creepages.spin * patch.a;
         let lateral = leading.abs().max(creepages.lateral.abs());
         let longitudinal = creepages.longitudinal;

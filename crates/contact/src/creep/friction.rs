@@ -1,4 +1,17 @@
-//! Friction that falls with the slip velocity.
+//! Friction that falls with the slip velocity, or with the temperature of the contact.
+
+use super::friction_by_temperature::FrictionByTemperature;
+use super::{SlipVelocity, reference_speed};
+use crate::geometry::contact_point::ContactPatch;
+
+/// How friction depends on what a contact does.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
+pub enum Friction {
+    /// By the slip velocity.
+    Falling(FallingFriction),
+    /// By the temperature.
+    ByTemperature(FrictionByTemperature),
+}
 
 /// mu = mu0 ((1 - A) exp(-B w) + A) with the slip velocity w in m/s.
 ///
@@ -14,6 +27,15 @@ pub struct FallingFriction {
     pub decay: f64,
 }
 
+/// Friction of a contact that slips.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sliding {
+    /// Friction coefficient of the whole contact.
+    pub coefficient: f64,
+    /// Highest flash temperature by that of the same power with one coefficient all over the contact.
+    pub flash: f64,
+}
+
 impl FallingFriction {
     /// Friction that does not depend on the slip velocity.
     pub fn constant(coefficient: f64) -> Self {
@@ -24,5 +46,45 @@ impl FallingFriction {
     pub fn coefficient(&self, slip_velocity: f64) -> f64 {
         let fallen = libm::exp(-self.decay * slip_velocity);
         self.static_coefficient * ((1.0 - self.limit_ratio) * fallen + self.limit_ratio)
+    }
+}
+
+impl Friction {
+    /// Friction of a contact that slips, while it rolls at `speed` (m/s).
+    #[inline]
+    pub(crate) fn sliding(&self, patch: &ContactPatch, slip: &SlipVelocity, speed: f64) -> Sliding {
+        let slide = slip.longitudinal * slip.longitudinal + slip.lateral * slip.lateral;
+        match self {
+            Self::Falling(friction) => {
+                Sliding { coefficient: friction.coefficient(slide.sqrt()), flash: 1.0 }
+            }
+            Self::ByTemperature(friction) => {
+                // Mean over the pressure of the square of the spin's slip velocity.
+                let reach = (patch.a * patch.a + patch.b * patch.b) / 5.0;
+                let slip_velocity = (slide + reach * slip.spin * slip.spin).sqrt();
+                friction.sliding(patch, slip_velocity, reference_speed(speed))
+            }
+        }
+    }
+
+    /// The same friction with another coefficient without slip, or at the reference temperature.
+    pub fn with_coefficient(mut self, coefficient: f64) -> Self {
+        match &mut self {
+            Self::Falling(friction) => friction.static_coefficient = coefficient,
+            Self::ByTemperature(friction) => friction.reference_coefficient = coefficient,
+        }
+        self
+    }
+}
+
+impl From<FallingFriction> for Friction {
+    fn from(friction: FallingFriction) -> Self {
+        Self::Falling(friction)
+    }
+}
+
+impl From<FrictionByTemperature> for Friction {
+    fn from(friction: FrictionByTemperature) -> Self {
+        Self::ByTemperature(friction)
     }
 }

@@ -1,6 +1,7 @@
 //! The creep laws a vehicle can have.
 
-use super::friction::FallingFriction;
+use super::exact_rolling::ExactRolling;
+use super::friction::Friction;
 use super::linear;
 use super::modified_fastsim::ModifiedFastsim;
 use super::polach::Polach;
@@ -10,12 +11,14 @@ use crate::geometry::contact_point::ContactPatch;
 /// A law of creep forces.
 #[derive(Clone, Copy, Debug)]
 pub enum CreepLaw {
-    /// Modified FASTSIM, by table or on line.
+    /// Exact rolling, by table.
+    ExactRolling(ExactRolling),
+    /// Modified FASTSIM, marched in every evaluation.
     Fastsim(ModifiedFastsim),
     /// Polach's closed formula.
     Polach(Polach),
     /// Kalker's linear forces reduced by Shen, Hedrick and Elkins.
-    ShenHedrickElkins(FallingFriction),
+    ShenHedrickElkins(Friction),
     /// Kalker's linear forces without limit; friction does not count.
     KalkerLinear,
 }
@@ -27,6 +30,7 @@ impl CreepLaw {
     #[inline]
     pub fn force(&self, patch: &ContactPatch, slip: &SlipVelocity, speed: f64) -> CreepForces {
         match self {
+            Self::ExactRolling(law) => law.force(patch, slip, speed),
             Self::Fastsim(law) => law.force(patch, slip, speed),
             Self::Polach(law) => law.force(patch, slip, speed),
             Self::ShenHedrickElkins(friction) => linear::limited(friction, patch, slip, speed),
@@ -34,15 +38,17 @@ impl CreepLaw {
         }
     }
 
-    /// The law on rails with another friction coefficient without slip; it falls with slip as before.
+    /// The law on rails with another friction coefficient without slip; it falls with slip or
+    /// temperature as before.
     pub fn with_friction(mut self, coefficient: f64) -> Self {
         let friction = match &mut self {
+            Self::ExactRolling(law) => &mut law.friction,
             Self::Fastsim(law) => &mut law.friction,
             Self::Polach(law) => &mut law.friction,
             Self::ShenHedrickElkins(friction) => friction,
             Self::KalkerLinear => return self,
         };
-        friction.static_coefficient = coefficient;
+        *friction = friction.with_coefficient(coefficient);
         self
     }
 }

@@ -10,7 +10,7 @@
 //! which is good for small spin. Beyond the source, the spin moment is kept and reduced alike: force and
 //! moment together then never give power to the wheel.
 
-use super::friction::FallingFriction;
+use super::friction::Friction;
 use super::{CreepDamping, CreepForces, SlipVelocity, TangentialForce, reference_speed};
 use crate::geometry::contact_point::ContactPatch;
 use crate::material::STEEL;
@@ -42,18 +42,19 @@ pub(crate) fn linear(patch: &ContactPatch, slip: &SlipVelocity, speed: f64) -> C
             + spin_damping * slip.spin * slip.spin,
         damping,
         spin_force,
+        flash_factor: 1.0,
     }
 }
 
 /// The same reduced so that they stay below friction (C9).
 pub(crate) fn limited(
-    friction: &FallingFriction,
+    friction: &Friction,
     patch: &ContactPatch,
     slip: &SlipVelocity,
     speed: f64,
 ) -> CreepForces {
-    let slip_velocity = libm::hypot(slip.longitudinal, slip.lateral);
-    let limit = friction.coefficient(slip_velocity) * patch.normal_force;
+    let sliding = friction.sliding(patch, slip, speed);
+    let limit = sliding.coefficient * patch.normal_force;
     if limit.is_nan() || limit <= 0.0 {
         return CreepForces::default();
     }
@@ -72,5 +73,6 @@ pub(crate) fn limited(
             lateral: share * damping.lateral,
         },
         spin_force: share * linear.spin_force,
+        flash_factor: sliding.flash,
     }
 }

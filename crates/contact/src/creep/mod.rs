@@ -8,21 +8,24 @@
 //! | file | part |
 //! |---|---|
 //! | `law.rs` | the laws to choose from |
-//! | `modified_fastsim.rs` | modified FASTSIM, by table or on line |
-//! | `fastsim.rs`, `fastsim_table.rs` | simplified theory, dimensionless, and its table |
-//! | `flexibility.rs` | its flexibilities |
+//! | `exact_rolling.rs`, `rolling_table.rs` | Kalker's exact theory by a table |
+//! | `modified_fastsim.rs` | modified FASTSIM |
+//! | `fastsim.rs` | simplified theory, dimensionless |
+//! | `flexibility.rs` | reduction of the stiffness, and FASTSIM's flexibilities |
 //! | `polach.rs` | Polach's closed formula |
 //! | `linear.rs` | Kalker's linear theory, with Shen, Hedrick and Elkins' limit |
-//! | `friction.rs` | friction that falls with slip |
+//! | `friction.rs`, `friction_by_temperature.rs` | friction that falls with slip or temperature |
 
+pub(crate) mod exact_rolling;
 mod fastsim;
-mod fastsim_table;
 pub(crate) mod flexibility;
 pub(crate) mod friction;
+pub(crate) mod friction_by_temperature;
 pub(crate) mod law;
 mod linear;
 pub(crate) mod modified_fastsim;
 pub(crate) mod polach;
+pub(crate) mod rolling_table;
 
 /// Least reference speed in m/s that slip velocities are divided by.
 ///
@@ -102,6 +105,8 @@ pub struct CreepForces {
     pub damping: CreepDamping,
     /// The part of the lateral force that spin causes, in N; it needs no implicit treatment.
     pub spin_force: f64,
+    /// Highest flash temperature by that of the same power spread over the contact as the pressure.
+    pub flash_factor: f64,
 }
 
 /// The magnitude of `speed`, at least [`REFERENCE_SPEED_MIN`].

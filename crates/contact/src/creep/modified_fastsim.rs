@@ -1,4 +1,4 @@
-//! Creep forces and friction power by modified FASTSIM.
+//! Creep forces and friction power by modified FASTSIM, as published: a march in every evaluation.
 //!
 //! `fastsim.rs` has the theory and `flexibility.rs` the modification. Friction falls with the slip
 //! velocity of the whole contact. The spin moment is
@@ -11,9 +11,8 @@
 //! and rail. Where the three flexibilities are one it is the moment of the tractions.
 
 use super::fastsim::{Division, ScaledCreepages, march};
-use super::fastsim_table::FastsimTable;
 use super::flexibility::{Reduction, Stiffness};
-use super::friction::FallingFriction;
+use super::friction::Friction;
 use super::{CreepDamping, CreepForces, Creepages, SlipVelocity, TangentialForce, reference_speed};
 use crate::geometry::contact_point::ContactPatch;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -30,15 +29,8 @@ pub struct ModifiedFastsim {
     /// Reduction of the stiffness.
     pub reduction: Reduction,
     /// Friction.
-    pub friction: FallingFriction,
-    solver: Solver,
-}
-
-/// How the law is evaluated.
-#[derive(Clone, Copy, Debug)]
-enum Solver {
-    Table(&'static FastsimTable),
-    March(Division),
+    pub friction: Friction,
+    division: Division,
 }
 
 /// The law's dimensionless answer.
@@ -54,20 +46,15 @@ struct Answer {
 }
 
 impl ModifiedFastsim {
-    /// By the table that all in the process share; the first call makes it.
-    pub fn by_table(reduction: Reduction, friction: FallingFriction) -> Self {
-        Self { reduction, friction, solver: Solver::Table(FastsimTable::shared()) }
-    }
-
     /// On line: each evaluation marches through `pairs` of strips on either side of the middle, of
     /// `elements` each; 5 pairs of 20 elements come within 1 % of finer ones.
     pub fn on_line(
         reduction: Reduction,
-        friction: FallingFriction,
+        friction: impl Into<Friction>,
         pairs: usize,
         elements: usize,
     ) -> Self {
-        Self { reduction, friction, solver: Solver::March(Division { pairs, elements }) }
+        Self { reduction, friction: friction.into(), division: Division { pairs, elements } }
     }
 
     /// Forces on the wheel in a loaded contact that slips, while it rolls at `speed` (m/s).
@@ -76,8 +63,8 @@ impl ModifiedFastsim {
     #[inline]
     pub fn force(&self, patch: &ContactPatch, slip: &SlipVelocity, speed: f64) -> CreepForces {
         let (along, across) = (slip.longitudinal, slip.lateral);
-        let slip_velocity = (along * along + across * across).sqrt();
-        let limit = self.friction.coefficient(slip_velocity) * patch.normal_force;
+        let sliding = self.friction.sliding(patch, slip, speed);
+        let limit = sliding.coefficient * patch.normal_force;
         if limit.is_nan() || limit <= 0.0 {
             return CreepForces::default();
         }
@@ -101,7 +88,7 @@ impl ModifiedFastsim {
             spin: per_traction * stiffness.spin * (a * b).sqrt() * creepages.spin,
             a_over_b: a / b,
         };
-        let answer = self.answer(&scaled);
+        let answer = marched(&scaled, self.division);
         let damping = limit * answer.longitudinal * longitudinal * per_speed;
         let lateral_damping = limit * answer.lateral * lateral * per_speed;
         let spin_force = -limit * answer.rest;
@@ -111,7 +98,7 @@ impl ModifiedFastsim {
             / (stiffness.longitudinal * stiffness.lateral);
         let force = spin_force - lateral_damping * across;
         let power = damping * along * along - force * across - spin_moment * slip.spin;
-        // Discretisation and interpolation may exceed friction by a trifle.
+        // Discretisation may exceed friction by a trifle.
         let square = damping * along * damping * along + force * force;
         let cut = if square > limit * limit { limit / square.sqrt() } else { 1.0 };
         CreepForces {
@@ -120,24 +107,7 @@ impl ModifiedFastsim {
             friction_power: cut * power,
             damping: CreepDamping { longitudinal: cut * damping, lateral: cut * lateral_damping },
             spin_force: cut * spin_force,
-        }
-    }
-
-    #[inline]
-    fn answer(&self, scaled: &ScaledCreepages) -> Answer {
-        match self.solver {
-            Solver::Table(table) => {
-                let ratios = table.at(scaled);
-                let moment = |(by_spin, by_slip)| by_spin * scaled.spin + by_slip * scaled.lateral;
-                Answer {
-                    longitudinal: ratios.longitudinal,
-                    lateral: ratios.lateral,
-                    rest: ratios.spin * scaled.spin,
-                    moment_x: moment(ratios.moment_x),
-                    moment_y: moment(ratios.moment_y),
-                }
-            }
-            Solver::March(division) => marched(scaled, division),
+            flash_factor: sliding.flash,
         }
     }
 }

@@ -27,7 +27,7 @@
 //!   both in Kalker's theory), plus Kalker's -G (a b)^2 C33 phi reduced as F is. So friction power is
 //!   never negative.
 
-use super::friction::FallingFriction;
+use super::friction::{FallingFriction, Friction};
 use super::{CreepDamping, CreepForces, SlipVelocity, TangentialForce, reference_speed};
 use crate::geometry::contact_point::ContactPatch;
 use crate::material::STEEL;
@@ -45,7 +45,7 @@ pub struct Polach {
     /// kS: reduction in the area of slip.
     pub slip_factor: f64,
     /// Friction.
-    pub friction: FallingFriction,
+    pub friction: Friction,
 }
 
 impl Polach {
@@ -53,14 +53,22 @@ impl Polach {
     pub const DRY: Self = Self {
         adhesion_factor: 1.0,
         slip_factor: 0.4,
-        friction: FallingFriction { static_coefficient: 0.55, limit_ratio: 0.4, decay: 0.6 },
+        friction: Friction::Falling(FallingFriction {
+            static_coefficient: 0.55,
+            limit_ratio: 0.4,
+            decay: 0.6,
+        }),
     };
 
     /// Wet rail, Polach 2005, table 2.
     pub const WET: Self = Self {
         adhesion_factor: 0.3,
         slip_factor: 0.1,
-        friction: FallingFriction { static_coefficient: 0.3, limit_ratio: 0.4, decay: 0.2 },
+        friction: Friction::Falling(FallingFriction {
+            static_coefficient: 0.3,
+            limit_ratio: 0.4,
+            decay: 0.2,
+        }),
     };
 
     /// Forces on the wheel in a loaded contact that slips, while it rolls at `speed` (m/s).
@@ -68,7 +76,8 @@ impl Polach {
     /// Without load or friction all is zero. Lateral slip and force lie in the contact plane.
     pub fn force(&self, patch: &ContactPatch, slip: &SlipVelocity, speed: f64) -> CreepForces {
         let slip_squared = slip.longitudinal * slip.longitudinal + slip.lateral * slip.lateral;
-        let limit = self.friction.coefficient(slip_squared.sqrt()) * patch.normal_force;
+        let sliding = self.friction.sliding(patch, slip, speed);
+        let limit = sliding.coefficient * patch.normal_force;
         if limit.is_nan() || limit <= 0.0 {
             return CreepForces::default();
         }
@@ -98,6 +107,7 @@ impl Polach {
             friction_power: damping * slip_squared + spin_damping * slip.spin * slip.spin,
             damping: CreepDamping { longitudinal: damping, lateral: damping },
             spin_force,
+            flash_factor: sliding.flash,
         }
     }
 

@@ -132,10 +132,7 @@ fn benchmark_fastsim_power_on_the_grid_of_contact() {
 fn benchmark_fastsim_eurosprinter_force_and_power() {
     for series in series() {
         let Series { reduction, friction, .. } = series;
-        let laws = [
-            ("by table", ModifiedFastsim::by_table(reduction, friction)),
-            ("on line", ModifiedFastsim::on_line(reduction, friction, 10, 40)),
-        ];
+        let laws = [("on line", ModifiedFastsim::on_line(reduction, friction, 10, 40))];
         for &(creepage, ..) in series.rows {
             let (force, power) = on_grid(&series, creepage, 960, 440);
             for (name, law) in laws {
@@ -179,7 +176,7 @@ fn analytic_fastsim_grid_error_is_of_first_order() {
 fn benchmark_fastsim_eurosprinter_as_printed() {
     let from = [(0.0028, 0.01), (0.01, 0.2)];
     for (series, (force_from, power_from)) in series().into_iter().zip(from) {
-        let law = ModifiedFastsim::by_table(series.reduction, series.friction);
+        let law = ModifiedFastsim::on_line(series.reduction, series.friction, 10, 40);
         for &(creepage, force, power) in series.rows {
             let found = law.force(&eurosprinter(), &longitudinal(creepage), SPEED);
             if creepage >= force_from {
@@ -227,10 +224,7 @@ fn benchmark_fastsim_lateral_creep_with_spin() {
     };
     let slip = SlipVelocity { longitudinal: 0.0, lateral: -0.00625, spin: 6.25 };
     let friction = FallingFriction::constant(0.3);
-    let laws = [
-        ("by table", ModifiedFastsim::by_table(Reduction::NONE, friction)),
-        ("on line", ModifiedFastsim::on_line(Reduction::NONE, friction, 20, 100)),
-    ];
+    let laws = [("on line", ModifiedFastsim::on_line(Reduction::NONE, friction, 20, 100))];
     for (name, law) in laws {
         let force = law.force(&patch, &slip, SPEED);
         let value = force.force.lateral / (0.3 * patch.normal_force);
@@ -261,7 +255,7 @@ fn benchmark_fastsim_lateral_creep_with_spin() {
 fn analytic_fastsim_starts_with_kalker() {
     let patch = eurosprinter();
     let friction = FallingFriction::constant(0.3);
-    let law = CreepLaw::Fastsim(ModifiedFastsim::by_table(Reduction::NONE, friction));
+    let law = CreepLaw::Fastsim(ModifiedFastsim::on_line(Reduction::NONE, friction, 10, 40));
     for slip in [
         SlipVelocity { longitudinal: 1e-4, ..SlipVelocity::default() },
         SlipVelocity { lateral: 1e-4, ..SlipVelocity::default() },

@@ -12,6 +12,8 @@
 //! | `geometry.rs` | the geometry table's own laws |
 //! | `pressed.rs` | a loaded contact as the gradient of its energy |
 //! | `fastsim.rs` | FASTSIM and modified FASTSIM of CONTACT: force and friction power |
+//! | `rolling.rs` | exact rolling by table: Kalker's tables, CONTACT, the solver |
+//! | `temperature.rs` | friction by temperature and flash temperature: CONTACT |
 //! | `polach.rs` | published creep curves, CONTACT |
 //! | `shen_hedrick_elkins.rs` | CONTACT; Kalker's linear forces |
 //! | `properties.rs` | creep forces for any slip |
@@ -28,7 +30,9 @@ mod polach;
 mod pressed;
 mod profiles;
 mod properties;
+mod rolling;
 mod shen_hedrick_elkins;
+mod temperature;
 
 use contact::kalker::CreepCoefficients;
 use contact::{ContactPatch, ProfilePair, RailProfile, STEEL, WheelProfile};

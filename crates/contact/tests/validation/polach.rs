@@ -1,7 +1,9 @@
 //! Polach's creep law against published curves.
 
 use crate::{PAGE, eurosprinter, near, pair};
-use contact::{ContactPatch, FallingFriction, GeometryTable, Polach, STEEL, SlipVelocity};
+use contact::{
+    ContactPatch, FallingFriction, Friction, GeometryTable, Polach, STEEL, SlipVelocity,
+};
 use std::f64::consts::PI;
 use validation::Row;
 
@@ -9,7 +11,7 @@ fn polach(adhesion: f64, slip: f64, mu0: f64, limit_ratio: f64, decay: f64) -> P
     Polach {
         adhesion_factor: adhesion,
         slip_factor: slip,
-        friction: FallingFriction { static_coefficient: mu0, limit_ratio, decay },
+        friction: FallingFriction { static_coefficient: mu0, limit_ratio, decay }.into(),
     }
 }
 
@@ -169,7 +171,7 @@ fn analytic_polach_starts_with_kalker() {
 /// At w = ln 2/B friction has fallen by half of what it can: 0.7 when A = 0.4 (Polach 2005, by hand).
 #[test]
 fn analytic_falling_friction() {
-    let friction = Polach::DRY.friction;
+    let Friction::Falling(friction) = Polach::DRY.friction else { panic!("it falls") };
     let half = std::f64::consts::LN_2 / friction.decay;
     near("mu", friction.coefficient(half) / friction.static_coefficient, 0.7, 1e-15);
     assert_eq!(friction.coefficient(0.0), friction.static_coefficient);

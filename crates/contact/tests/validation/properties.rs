@@ -2,8 +2,8 @@
 
 use contact::kalker::CreepCoefficients;
 use contact::{
-    ContactPatch, CreepForces, CreepLaw, ModifiedFastsim, Polach, REFERENCE_SPEED_MIN, Reduction,
-    SlipVelocity,
+    ContactPatch, CreepForces, CreepLaw, ExactRolling, FallingFriction, ModifiedFastsim, Polach,
+    REFERENCE_SPEED_MIN, Reduction, SlipVelocity,
 };
 use proptest::prelude::*;
 
@@ -36,15 +36,18 @@ fn speeds() -> impl Strategy<Value = f64> {
     prop_oneof![Just(0.0), -80.0..80.0]
 }
 
+/// Friction of a dry rail, as Polach has it.
+const DRY: FallingFriction =
+    FallingFriction { static_coefficient: 0.55, limit_ratio: 0.4, decay: 0.6 };
+
 /// All laws that friction bounds, on a dry rail.
 fn laws() -> [CreepLaw; 5] {
-    let friction = Polach::DRY.friction;
     [
-        CreepLaw::Fastsim(ModifiedFastsim::by_table(Reduction::EUROSPRINTER, friction)),
-        CreepLaw::Fastsim(ModifiedFastsim::by_table(Reduction::NONE, friction)),
-        CreepLaw::Fastsim(ModifiedFastsim::on_line(Reduction::NONE, friction, 3, 10)),
+        CreepLaw::ExactRolling(ExactRolling::new(Reduction::EUROSPRINTER, DRY)),
+        CreepLaw::ExactRolling(ExactRolling::new(Reduction::NONE, DRY)),
+        CreepLaw::Fastsim(ModifiedFastsim::on_line(Reduction::NONE, DRY, 3, 10)),
         CreepLaw::Polach(Polach::DRY),
-        CreepLaw::ShenHedrickElkins(friction),
+        CreepLaw::ShenHedrickElkins(DRY.into()),
     ]
 }
 
@@ -60,7 +63,7 @@ proptest! {
     fn property_force_within_friction(law in law(), patch in patches(), slip in slips(), speed in speeds()) {
         let force = law.force(&patch, &slip, speed);
         let slip_velocity = slip.longitudinal.hypot(slip.lateral);
-        let limit = Polach::DRY.friction.coefficient(slip_velocity) * patch.normal_force;
+        let limit = DRY.coefficient(slip_velocity) * patch.normal_force;
         prop_assert!(force.force.longitudinal.hypot(force.force.lateral) <= limit * (1.0 + 1e-12));
     }
 

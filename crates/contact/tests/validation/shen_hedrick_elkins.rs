@@ -7,7 +7,7 @@ use contact::{CreepLaw, FallingFriction, STEEL, SlipVelocity};
 /// saturation and 0.1 % in it, widened by half of the last digit.
 #[test]
 fn benchmark_shen_hedrick_elkins_eurosprinter() {
-    let law = CreepLaw::ShenHedrickElkins(FallingFriction::constant(0.33));
+    let law = CreepLaw::ShenHedrickElkins(FallingFriction::constant(0.33).into());
     let force = |creepage: f64| {
         let slip = SlipVelocity { longitudinal: 10.0 * creepage, ..SlipVelocity::default() };
         law.force(&eurosprinter(), &slip, 10.0).force.longitudinal

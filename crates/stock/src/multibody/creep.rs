@@ -8,10 +8,12 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "snake_case")]
 pub enum CreepLawKind {
-    /// Modified FASTSIM, by a table.
+    /// Kalker's exact theory with the reduction of modified FASTSIM, by a table; `modified_fastsim` is
+    /// its former name.
     #[default]
-    ModifiedFastsim,
-    /// Modified FASTSIM, evaluated in every step: slow, for comparison.
+    #[serde(alias = "modified_fastsim")]
+    ExactRolling,
+    /// Modified FASTSIM as published, evaluated in every step: slow, for comparison.
     FastsimOnLine,
     /// Polach's closed formula.
     Polach,
@@ -21,7 +23,7 @@ pub enum CreepLawKind {
     KalkerLinear,
 }
 
-/// A creep law with its parameters and its falling friction.
+/// A creep law with its parameters and its friction.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct CreepLaw {
@@ -30,11 +32,11 @@ pub struct CreepLaw {
     /// Which law.
     #[serde(default)]
     pub law: CreepLawKind,
-    /// Modified FASTSIM: initial slope of the creep curve by Kalker's (k0); left out: 1.
+    /// Exact rolling and FASTSIM: initial slope of the creep curve by Kalker's (k0); left out: 1.
     pub initial_slope: Option<f64>,
-    /// Modified FASTSIM: what is left of the slope at infinite creepage (alpha); left out: 1.
+    /// Exact rolling and FASTSIM: what is left of the slope at infinite creepage (alpha); left out: 1.
     pub remaining_slope: Option<f64>,
-    /// Modified FASTSIM: how fast the slope falls (beta); left out: 0.
+    /// Exact rolling and FASTSIM: how fast the slope falls (beta); left out: 0.
     pub slope_fall: Option<f64>,
     /// FASTSIM on line: strips of the contact on either side of its middle; left out: 5.
     pub strip_pairs: Option<usize>,
@@ -44,19 +46,25 @@ pub struct CreepLaw {
     pub adhesion_factor: Option<f64>,
     /// Polach: reduction in the area of slip (kS).
     pub slip_factor: Option<f64>,
-    /// Friction coefficient without slip (mu0).
+    /// Friction coefficient without slip (mu0), or up to the reference temperature (mu_ref).
     pub friction: f64,
-    /// Ratio of the friction at infinite slip velocity to `friction` (A).
+    /// Friction at infinite slip velocity, or at the end of the range of temperature, by `friction` (A).
     pub limit_ratio: f64,
-    /// Decay of the friction with the slip velocity (B), s/m.
-    pub decay_s_m: f64,
+    /// Friction by slip velocity: its decay (B), s/m.
+    pub decay_s_m: Option<f64>,
+    /// Friction by temperature: range above the reference temperature over which it changes (dT), K.
+    pub temperature_range_k: Option<f64>,
+    /// Friction by temperature: temperature from which on it changes (T_ref), °C; left out: 0.
+    pub reference_temperature_c: Option<f64>,
+    /// Friction by temperature: that of wheel and rail away from the contact, °C; left out: 20.
+    pub bulk_temperature_c: Option<f64>,
 }
 
 impl CreepLaw {
     /// Checks the values, and that each belongs to the law.
     pub(crate) fn check(&self, check: &Check) -> Result<(), Mistake> {
-        use CreepLawKind::{FastsimOnLine, ModifiedFastsim, Polach};
-        let fastsim: &[CreepLawKind] = &[ModifiedFastsim, FastsimOnLine];
+        use CreepLawKind::{ExactRolling, FastsimOnLine, Polach};
+        let fastsim: &[CreepLawKind] = &[ExactRolling, FastsimOnLine];
         let count = |number: Option<usize>| number.map(|number| number as f64);
         let most_slip = self.adhesion_factor.unwrap_or(1.0);
         for (key, value, laws, low, high) in [
@@ -82,8 +90,41 @@ impl CreepLaw {
             }
         }
         check.between("friction", self.friction, 0.01, 1.0)?;
-        check.between("limit_ratio", self.limit_ratio, 0.01, 1.0)?;
-        check.between("decay_s_m", self.decay_s_m, 0.0, 10.0)
+        self.check_friction(check)
+    }
+
+    /// Friction depends on either the slip velocity or the temperature.
+    fn check_friction(&self, check: &Check) -> Result<(), Mistake> {
+        let by_temperature = [
+            ("reference_temperature_c", self.reference_temperature_c),
+            ("bulk_temperature_c", self.bulk_temperature_c),
+        ];
+        match (self.decay_s_m, self.temperature_range_k) {
+            (Some(decay), None) => {
+                if let Some((key, Some(value))) = by_temperature.into_iter().find(|k| k.1.is_some())
+                {
+                    return Err(check.error(key, value, "is for friction by temperature_range_k"));
+                }
+                check.between("limit_ratio", self.limit_ratio, 0.01, 1.0)?;
+                check.between("decay_s_m", decay, 0.0, 10.0)
+            }
+            (None, Some(range)) => {
+                check.between("limit_ratio", self.limit_ratio, 0.01, 5.0)?;
+                check.between("temperature_range_k", range, 1.0, 10e3)?;
+                for (key, value) in by_temperature {
+                    check.between(key, value.unwrap_or(0.0), -273.0, 2000.0)?;
+                }
+                Ok(())
+            }
+            (Some(_), Some(range)) => {
+                let wanted = "stands beside decay_s_m: friction depends on one of the two";
+                Err(check.error("temperature_range_k", range, wanted))
+            }
+            (None, None) => {
+                let wanted = "friction needs it, or temperature_range_k (decay_s_m = 0: constant)";
+                Err(check.missing("decay_s_m", wanted))
+            }
+        }
     }
 }
 
@@ -91,7 +132,7 @@ impl CreepLawKind {
     /// The law as files write it.
     fn key(self) -> &'static str {
         match self {
-            Self::ModifiedFastsim => "\"modified_fastsim\"",
+            Self::ExactRolling => "\"exact_rolling\"",
             Self::FastsimOnLine => "\"fastsim_on_line\"",
             Self::Polach => "\"polach\"",
             Self::ShenHedrickElkins => "\"shen_hedrick_elkins\"",
@@ -107,9 +148,36 @@ mod tests {
     use super::*;
 
     fn checked(text: &str) -> Result<(), Mistake> {
-        let friction = "source = \"test\"\nfriction = 0.3\nlimit_ratio = 0.4\ndecay_s_m = 0.6\n";
-        let document = Document::new("v.toml", format!("{friction}{text}"));
+        with_friction(&format!("limit_ratio = 0.4\ndecay_s_m = 0.6\n{text}"))
+    }
+
+    fn with_friction(text: &str) -> Result<(), Mistake> {
+        let document =
+            Document::new("v.toml", format!("source = \"test\"\nfriction = 0.3\n{text}"));
         document.parse::<CreepLaw>()?.check(&document.check())
+    }
+
+    #[test]
+    fn friction_depends_on_slip_or_on_temperature() {
+        with_friction("limit_ratio = 0.4\ntemperature_range_k = 400").unwrap();
+        with_friction("limit_ratio = 1.5\ntemperature_range_k = 400\nbulk_temperature_c = 30")
+            .unwrap();
+        for (text, expected) in [
+            ("limit_ratio = 0.4", "decay_s_m"),
+            ("limit_ratio = 0.4\ndecay_s_m = 0.6\ntemperature_range_k = 400", "one of the two"),
+            ("limit_ratio = 0.4\ndecay_s_m = 0.6\nbulk_temperature_c = 30", "is for friction by"),
+            ("limit_ratio = 0.4\ntemperature_range_k = 0", "between 1 and 10000"),
+            ("limit_ratio = 1.5\ndecay_s_m = 0.6", "between 0.01 and 1"),
+        ] {
+            let error = with_friction(text).unwrap_err().to_string();
+            assert!(error.contains(expected), "{error}");
+        }
+    }
+
+    #[test]
+    fn the_former_name_of_exact_rolling_still_serves() {
+        checked("law = \"exact_rolling\"\nslope_fall = 0.62").unwrap();
+        checked("law = \"modified_fastsim\"\nslope_fall = 0.62").unwrap();
     }
 
     #[test]
@@ -131,7 +199,7 @@ mod tests {
         for (text, expected) in [
             ("adhesion_factor = 0.5", "is for law = \"polach\""),
             ("law = \"polach\"\nadhesion_factor = 0.5", "law = \"polach\" needs it"),
-            ("law = \"kalker_linear\"\nslope_fall = 1.0", "is for law = \"modified_fastsim\" or"),
+            ("law = \"kalker_linear\"\nslope_fall = 1.0", "is for law = \"exact_rolling\" or"),
             ("initial_slope = 2.0", "between 0.01 and 1"),
         ] {
             let error = checked(text).unwrap_err().to_string();

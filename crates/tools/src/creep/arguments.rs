@@ -9,9 +9,10 @@ use crate::number::{not_negative, number, positive};
 /// The law.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(super) enum Law {
-    /// Modified FASTSIM (Spiryagin, Polach and Cole 2013), from a table
-    ModifiedFastsim,
-    /// The same, computed anew for each row
+    /// Kalker's exact theory (1990), from a table
+    #[value(alias = "modified-fastsim")]
+    ExactRolling,
+    /// Modified FASTSIM (Spiryagin, Polach and Cole 2013), computed anew for each row
     FastsimOnLine,
     /// Polach's closed formula (2005)
     Polach,
@@ -25,7 +26,7 @@ pub(super) enum Law {
 #[derive(Args)]
 pub struct CreepArguments {
     /// Creep law
-    #[arg(long, value_enum, default_value = "modified-fastsim")]
+    #[arg(long, value_enum, default_value = "exact-rolling")]
     pub(super) law: Law,
     /// Normal force, N
     #[arg(long, value_parser = positive)]
@@ -48,7 +49,7 @@ pub struct CreepArguments {
     /// How fast friction falls with the slip velocity, s/m
     #[arg(long, default_value_t = 0.0, value_parser = not_negative)]
     pub(super) decay: f64,
-    /// Modified FASTSIM: k0, alpha and beta; 1 1 0 is FASTSIM
+    /// Exact rolling and FASTSIM: reduction k0, alpha and beta of the stiffness; 1 1 0 is none
     #[arg(long, num_args = 3, value_parser = not_negative, default_values_t = [1.0, 1.0, 0.0])]
     pub(super) reduction: Vec<f64>,
     /// Polach: kA and kS

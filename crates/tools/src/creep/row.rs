@@ -3,8 +3,8 @@
 use contact::hertz::UnitContact;
 use contact::kalker::CreepCoefficients;
 use contact::{
-    ContactPatch, CreepForces, CreepLaw, FallingFriction, ModifiedFastsim, Polach, Reduction,
-    STEEL, SlipVelocity,
+    ContactPatch, CreepForces, CreepLaw, ExactRolling, FallingFriction, ModifiedFastsim, Polach,
+    Reduction, STEEL, SlipVelocity,
 };
 use railheat::contact::{Contact, Material, flash_rise};
 
@@ -40,7 +40,7 @@ pub(super) fn rows(arguments: &CreepArguments) -> Result<Vec<Row>, ToolError> {
         let creepages = lists.map(|list| list[i.min(list.len() - 1)]);
         let [longitudinal, lateral, spin] = creepages.map(|creepage| speed * creepage);
         let forces = law.force(&patch, &SlipVelocity { longitudinal, lateral, spin }, speed);
-        Row { creepages, forces, flash: flash(&patch, forces.friction_power, speed) }
+        Row { creepages, forces, flash: flash(&patch, &forces, speed) }
     });
     Ok(rows.collect())
 }
@@ -75,25 +75,26 @@ fn law(arguments: &CreepArguments) -> CreepLaw {
         fall: arguments.reduction[2],
     };
     match arguments.law {
-        Law::ModifiedFastsim => CreepLaw::Fastsim(ModifiedFastsim::by_table(reduction, friction)),
+        Law::ExactRolling => CreepLaw::ExactRolling(ExactRolling::new(reduction, friction)),
         Law::FastsimOnLine => {
             CreepLaw::Fastsim(ModifiedFastsim::on_line(reduction, friction, 20, 100))
         }
         Law::Polach => CreepLaw::Polach(Polach {
             adhesion_factor: arguments.factors[0],
             slip_factor: arguments.factors[1],
-            friction,
+            friction: friction.into(),
         }),
-        Law::ShenHedrickElkins => CreepLaw::ShenHedrickElkins(friction),
+        Law::ShenHedrickElkins => CreepLaw::ShenHedrickElkins(friction.into()),
         Law::KalkerLinear => CreepLaw::KalkerLinear,
     }
 }
 
 /// Highest rise of the rail's surface behind the contact, in K.
-fn flash(patch: &ContactPatch, friction_power: f64, speed: f64) -> f64 {
+fn flash(patch: &ContactPatch, forces: &CreepForces, speed: f64) -> f64 {
     let contact = Contact { normal_force: patch.normal_force, a: patch.a, b: patch.b };
     // Power by speed is the energy on a metre: force times creepage.
-    flash_rise(&contact, friction_power / speed, 1.0, speed, PARTITION, &Material::PAPER)
+    let energy = forces.friction_power / speed;
+    forces.flash_factor * flash_rise(&contact, energy, 1.0, speed, PARTITION, &Material::PAPER)
 }
 
 #[cfg(test)]

@@ -32,12 +32,12 @@ fn golden_columns() {
     assert_eq!(on_round_patch(&[]).names(), names);
 }
 
-/// Coulomb: a wheel that slides has the force μ N, and turns μ N v ξ into heat. The table of modified
-/// FASTSIM is within 0.4 % there, the other laws within what they leave of their slope.
+/// Coulomb: a wheel that slides has the force μ N, and turns μ N v ξ into heat. The table of exact
+/// rolling is within 0.4 % there, the other laws within what they leave of their slope.
 #[test]
 fn analytic_a_sliding_wheel_has_the_friction_force() {
     for (law, tolerance) in [
-        ("modified-fastsim", 4e-3),
+        ("exact-rolling", 4e-3),
         ("fastsim-on-line", 4e-3),
         ("polach", 2e-2),
         ("shen-hedrick-elkins", 1e-6),
@@ -139,7 +139,7 @@ fn wrong_options_are_answered_with_what_is_right() {
     for (words, wanted) in [
         (&["--friction", "0"][..], "must be greater than zero"),
         (&["--speed", "0"], "must be greater than zero"),
-        (&["--law", "coulomb"], "possible values: modified-fastsim"),
+        (&["--law", "coulomb"], "possible values: exact-rolling"),
         (&["--reduction", "0", "1", "0"], "--reduction must be k0 greater than zero"),
         (&["--reduction", "1", "2", "0"], "alpha between 0 and 1"),
         (&["--factors", "0.3", "0.6"], "--factors must be kA not below kS"),

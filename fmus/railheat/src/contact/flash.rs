@@ -1,29 +1,17 @@
 //! Temperature rise of the rail's surface under a passing wheel.
 //!
-//! The rail is a half-space that a band of heat crosses fast (Péclet number v a / 2α > 10), so that
-//! heat flows downwards only. With the flux of full slip in a Hertz contact the highest rise is
-//! (`docs/theory/railheat/paper.md#eq-4`)
-//!
-//! ```text
-//! ΔT = C ε (q₀/β) √(a/v),   q₀ = 1.5 F |ξ| v / (π a b)
-//!    = 1.5 C/π · ε F |ξ| √(v/a) / (b β)
-//! ```
-//!
-//! with C = 1.2346198, the maximum of ∫ √(1-u²)/√(s-u) du / √π over u from -1 to s, at 0.652 a
-//! behind the middle of the contact. The paper takes its surface temperature from Spiryagin et
+//! The rail is a half-space that a band of heat crosses fast; [`contact::flash`] has the equation
+//! (`docs/theory/railheat/paper.md#eq-4`). The paper takes its surface temperature from Spiryagin et
 //! al. (2016), whose equations it does not print; any version of them has to reduce to this one.
 //! Validated by `analytic_flash_temperature_…`.
-
-use std::f64::consts::PI;
 
 use super::creep_force::{Contact, creep_force};
 use super::material::Material;
 
-/// Highest rise behind a semi-elliptic flux, in units of ε (q₀/β) √(a/v).
-pub const HERTZ_PEAK: f64 = 1.234_619_8;
+pub use contact::flash::HERTZ_PEAK;
 
 /// Mean over the contact ellipse of the rise by a semi-ellipsoid of flux, over its highest.
-pub const MEAN_OVER_PEAK: f64 = 0.676_506_3 / 1.234_619_8;
+pub const MEAN_OVER_PEAK: f64 = 0.676_506_3 / HERTZ_PEAK;
 
 /// Highest temperature rise of the rail's surface under a wheel, K.
 ///
@@ -38,8 +26,13 @@ pub fn flash_rise(
     material: &Material,
 ) -> f64 {
     let energy_per_metre = partition * force * creepage.abs();
-    1.5 * HERTZ_PEAK / PI * energy_per_metre * (speed.abs() / contact.a).sqrt()
-        / (contact.b * material.penetration())
+    contact::flash::flash_rise(
+        energy_per_metre,
+        contact.a,
+        contact.b,
+        speed,
+        material.penetration(),
+    )
 }
 
 /// How a wheel heats the rail, as far as the paper's model sees it.

@@ -7,7 +7,7 @@
 //! rail less wheel: positive in traction along the track, and of the other sign than ours across it.
 
 use contact::{
-    CreepLaw, FallingFriction, GeometryTable, ModifiedFastsim, ProfilePair, RailProfile, Reduction,
+    CreepLaw, ExactRolling, FallingFriction, GeometryTable, ProfilePair, RailProfile, Reduction,
     WheelProfile,
 };
 use std::sync::Arc;
@@ -128,7 +128,7 @@ impl Wheelset {
         Self {
             data: WheelData { radius: 0.460, half_distance: pair.running_circle(), damping: 0.0 },
             table: GeometryTable::shared(&pair).unwrap(),
-            creep: CreepLaw::Fastsim(ModifiedFastsim::by_table(Reduction::NONE, friction)),
+            creep: CreepLaw::ExactRolling(ExactRolling::new(Reduction::NONE, friction)),
         }
     }
 
