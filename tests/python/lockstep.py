@@ -33,6 +33,7 @@ WHEEL = [
     "friction_power",
     "contact.a",
     "contact.b",
+    "contact.flash_factor",
     "contact.lateral_position",
 ]
 

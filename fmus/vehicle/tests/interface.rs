@@ -87,6 +87,7 @@ fn the_interface_has_the_names_of_the_design() {
         "wheelset[6].right.friction_power",
         "wheelset[6].right.contact.a",
         "wheelset[6].right.contact.b",
+        "wheelset[6].right.contact.flash_factor",
         "wheelset[6].right.contact.lateral_position",
         "wheelset[1].right.derailment_quotient",
         "wheelset[6].track_force.lateral_sum",

@@ -50,6 +50,7 @@ const WIRING: &[(Of, &str, Of, &str)] = &[
     (Of::Wheel, "friction_power", Of::Rail, "friction_power"),
     (Of::Wheel, "contact.a", Of::Rail, "contact.a"),
     (Of::Wheel, "contact.b", Of::Rail, "contact.b"),
+    (Of::Wheel, "contact.flash_factor", Of::Rail, "contact.flash_factor"),
     (Of::Wheel, "contact.lateral_position", Of::Rail, "contact.lateral_position"),
     (Of::Train, "wheel.brake_power", Of::Rail, "brake_power"),
 ];

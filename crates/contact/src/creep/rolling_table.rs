@@ -45,6 +45,9 @@ const EDGES: [usize; 8] = {
 /// Largest m; beyond it all slips, and only the direction counts.
 const LARGEST: f64 = 100.0;
 
+/// Least m in the flash factor, which rises without bound where nearly all sticks and nothing heats.
+const LEAST_SLIDE: f64 = 1e-6;
+
 /// Least and greatest r/(1 + r), r² = a/b: ellipses of 1:25.
 const SHAPES: (f64, f64) = (1.0 / 6.0, 5.0 / 6.0);
 
@@ -138,7 +141,7 @@ impl RollingTable {
             lateral: scale * v[1],
             spin: scale * v[2],
             moment: (scale * v[3], scale * v[4]),
-            flash: (v[6] + v[7] * turn) * ((1.0 + inside) / (inside + tiny)).sqrt(),
+            flash: (v[6] + v[7] * turn) * ((1.0 + inside) / (inside + LEAST_SLIDE)).sqrt(),
         }
     }
 

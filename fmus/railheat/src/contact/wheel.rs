@@ -3,7 +3,7 @@
 use super::creep_force::Contact;
 
 /// What a wheel does during a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wheel {
     /// Chainage at the end of the step, m.
     pub position: f64,
@@ -15,10 +15,29 @@ pub struct Wheel {
     pub contact: Contact,
     /// Friction power of the contact, W.
     pub friction_power: f64,
+    /// Highest flash temperature by that of the same power spread over the contact as the pressure: 1
+    /// where all of it slips, more where a part sticks.
+    pub flash_factor: f64,
     /// Lateral position of the contact on the head, from its middle to the field side, m.
     pub lateral_position: f64,
     /// Heat of the tread brake into the wheel, W.
     pub brake_power: f64,
+}
+
+/// A wheel that does nothing; where it slips at all, it slips everywhere.
+impl Default for Wheel {
+    fn default() -> Self {
+        Self {
+            position: 0.0,
+            speed: 0.0,
+            creepage: 0.0,
+            contact: Contact::default(),
+            friction_power: 0.0,
+            flash_factor: 1.0,
+            lateral_position: 0.0,
+            brake_power: 0.0,
+        }
+    }
 }
 
 impl Wheel {

@@ -54,7 +54,8 @@ impl WheelHeat {
             return 0.0;
         }
         let force = wheel.friction_power / wheel.speed.abs();
-        flash_rise(&wheel.contact, force, 1.0, wheel.speed, self.partition, material)
+        wheel.flash_factor
+            * flash_rise(&wheel.contact, force, 1.0, wheel.speed, self.partition, material)
     }
 
     /// Heat in J that a wheel at `temperature` gets over a time, but for the rail's conduction.

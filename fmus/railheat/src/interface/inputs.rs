@@ -23,6 +23,9 @@ fmu::variables! {
         a: "contact.a", METRE = 0.0;
         /// Semi-axis of the contact across the rail
         b: "contact.b", METRE = 0.0;
+        /// Highest flash temperature by that of the same friction power spread as the pressure; used by
+        /// model energy
+        flash_factor: "contact.flash_factor", ONE = 1.0;
         /// Friction power of the contact, longitudinal, lateral and spin; used by model energy
         friction_power: "friction_power", WATT = 0.0;
         /// Place of the contact on the rail head, to the field side; used by model energy
@@ -69,6 +72,7 @@ impl WheelInputs {
             creepage: self.creepage,
             contact: Contact { normal_force, a, b },
             friction_power: self.friction_power,
+            flash_factor: self.flash_factor,
             lateral_position: self.lateral_position,
             brake_power: self.brake_power,
         })

@@ -29,6 +29,7 @@ fn property_the_signals_have_their_names() {
         "friction_power",
         "contact.a",
         "contact.b",
+        "contact.flash_factor",
         "contact.lateral_position",
         "brake_power",
     ] {

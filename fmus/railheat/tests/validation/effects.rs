@@ -72,6 +72,8 @@ fn analytic_flash_of_the_ertz_knothe_case() {
         tolerance: (0.017, "the same digits"),
     }
     .holds(&PAGE);
+    let in_a_part = Wheel { flash_factor: 1.5, ..wheel };
+    assert_eq!(heat.flash(&in_a_part, &steel), 1.5 * heat.flash(&wheel, &steel));
 }
 
 /// `docs/reference/section.md`, Winkler beam of AS60 with E I = 6.15 MN m²: highest moment (three digits, and 40 t are

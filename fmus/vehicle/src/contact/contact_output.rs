@@ -48,6 +48,8 @@ fmu::variables! {
         a: "a", METRE;
         /// Semi-axis of the contact across, {}
         b: "b", METRE;
+        /// Highest flash temperature by that of the same friction power spread as the pressure, {}
+        flash_factor: "flash_factor", ONE;
         /// Contact on the rail head from its top, negative towards the gauge side, {}
         lateral_position: "lateral_position", METRE;
         /// Contact angle, positive as on a tread, {}
@@ -71,6 +73,7 @@ impl ContactOutput {
             ellipse: ContactEllipse {
                 a: patch.forces.a,
                 b: patch.forces.b,
+                flash_factor: patch.forces.creep.flash_factor,
                 lateral_position: patch.rail_lateral,
                 angle: patch.angle(),
             },
@@ -89,6 +92,7 @@ impl ContactOutput {
         self.creepages.spin += weight * patch.creepages.spin;
         self.ellipse.a += weight * patch.ellipse.a;
         self.ellipse.b += weight * patch.ellipse.b;
+        self.ellipse.flash_factor += weight * patch.ellipse.flash_factor;
         self.ellipse.lateral_position += weight * patch.ellipse.lateral_position;
         self.ellipse.angle += weight * patch.ellipse.angle;
     }
@@ -102,6 +106,7 @@ impl ContactOutput {
         self.creepages.spin *= share;
         self.ellipse.a *= share;
         self.ellipse.b *= share;
+        self.ellipse.flash_factor *= share;
         self.ellipse.lateral_position *= share;
         self.ellipse.angle *= share;
     }

@@ -96,6 +96,7 @@ pub const WHEEL: &[RoleVariable] = &[
     lost(optional("friction_power", WATT)),
     optional("contact.a", METRE).within(0.0, 1.0),
     optional("contact.b", METRE).within(0.0, 1.0),
+    optional("contact.flash_factor", ONE).within(0.0, 1e4),
     optional("contact.lateral_position", METRE).within(-10.0, 10.0),
 ];
 
@@ -109,6 +110,7 @@ pub const RAIL_INPUT: &[RoleVariable] = &[
     optional("friction_power", WATT),
     optional("contact.a", METRE),
     optional("contact.b", METRE),
+    optional("contact.flash_factor", ONE),
     optional("contact.lateral_position", METRE),
     optional("brake_power", WATT),
 ];
