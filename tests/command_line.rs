@@ -161,7 +161,7 @@ fn a_step_of_zero_for_a_package_is_answered() {
     let exported = scenario.hotfoot(&["export-ssp", "scenario.toml", "-o", "train.ssp"]);
     assert!(exported.status.success(), "{}", String::from_utf8_lossy(&exported.stderr));
     let output = String::from_utf8_lossy(&exported.stdout).into_owned();
-    assert_says(&output, &["12 components", "320 connections"]);
+    assert_says(&output, &["12 components", "350 connections"]);
     let run = ["run", "train.ssp", "--results", "r", "--step", "0"];
     assert_says(&refusal(&scenario.hotfoot(&run)), &["--step", "must be greater than zero"]);
 }

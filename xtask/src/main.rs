@@ -71,7 +71,7 @@ enum Task {
         /// Further arguments of `hotfoot run`, behind `--`
         #[arg(last = true)]
         arguments: Vec<String>,
-        },
+    },
     /// Make the table of the creep law anew (ten minutes on two cores)
     CreepTable {
         /// Solve only every so many rays, and write nothing: how long all would take

@@ -93,6 +93,8 @@ row! {
         contact_a: "m";
         /// Semi-axis of the contact patch across the rail
         contact_b: "m";
+        /// Highest flash temperature by that of the same friction power spread as the pressure
+        contact_flash_factor: "1";
         /// Place of the contact on the rail head, from its middle
         contact_lateral_position: "m";
     }

@@ -125,7 +125,7 @@ fn system(scheme: Scheme, every: u64) -> (System, Calls) {
         connections: connections(&layout, &interfaces),
         ..Structure::default()
     };
-    assert_eq!(structure.connections.len(), VEHICLES * (6 + 4 + 9), "all that the table says");
+    assert_eq!(structure.connections.len(), VEHICLES * (6 + 4 + 10), "all that the table says");
     let units = units.into_iter().map(|(unit, _)| unit).collect();
     let system = compile(&structure, units, Clock { start: 0.0, length: STEP }).unwrap();
     (system, calls)

@@ -1,6 +1,7 @@
 //! Friction that falls with the slip velocity, or with the temperature of the contact.
 
 use super::friction_by_temperature::FrictionByTemperature;
+use super::sliding::Sliding;
 use super::{SlipVelocity, reference_speed};
 use crate::geometry::contact_point::ContactPatch;
 
@@ -25,15 +26,6 @@ pub struct FallingFriction {
     pub limit_ratio: f64,
     /// B in s/m: how fast friction falls, not negative.
     pub decay: f64,
-}
-
-/// Friction of a contact that slips.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Sliding {
-    /// Friction coefficient of the whole contact.
-    pub coefficient: f64,
-    /// Highest flash temperature by that of the same power with one coefficient all over the contact.
-    pub flash: f64,
 }
 
 impl FallingFriction {

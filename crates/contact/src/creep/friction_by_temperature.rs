@@ -24,7 +24,7 @@
 //! times as high as the highest one by friction that is alike all over, and is found in closed form.
 //! Where a part only slips the temperature is overestimated, but low.
 
-use super::friction::Sliding;
+use super::sliding::Sliding;
 use crate::flash::flash_rise;
 use crate::geometry::contact_point::ContactPatch;
 

@@ -26,6 +26,7 @@ mod linear;
 pub(crate) mod modified_fastsim;
 pub(crate) mod polach;
 pub(crate) mod rolling_table;
+mod sliding;
 
 /// Least reference speed in m/s that slip velocities are divided by.
 ///

@@ -18,6 +18,10 @@ use vehicle::contact::{Patch, Side, Wheel, WheelData, WheelMotion};
 const SPEED: f64 = 2.0;
 const WHEEL_LOAD: f64 = 10e3;
 
+/// What CONTACT's printed friction power lacks of its force times slip, by its grid, W; 0.48 to 0.51 on the
+/// left wheels from 1 to 3 mm (`manchester_forces.rs` of the contact crate).
+const LOST_POWER: f64 = 0.5;
+
 /// Halvings in each of the three nested searches.
 const HALVINGS: usize = 44;
 
@@ -282,9 +286,10 @@ fn benchmark_manchester_creepages() {
     }
 }
 
-/// What the wheels do in that balance, sums over their patches. Normal force 0.5 %. Friction power 2.5 %,
-/// of which simplified theory takes 2 % where it is compared alone (`manchester_forces.rs` of the contact
-/// crate). At 0 mm the power of CONTACT's two lobes is left out: a single ellipse has 29 % less.
+/// What the wheels do in that balance, sums over their patches. Normal force 0.5 %. Friction power 2.5 %, of
+/// which the ellipse in the place of the true patch takes 2 % where the law is compared alone
+/// (`manchester_forces.rs` of the contact crate). At 0 mm the power of CONTACT's two lobes is left out: a
+/// single ellipse has 29 % less.
 #[test]
 fn benchmark_manchester_forces_in_balance() {
     let wheelset = Wheelset::new();
@@ -298,7 +303,8 @@ fn benchmark_manchester_forces_in_balance() {
             near(&case("normal force in N"), normal, expected[3], 5e-3 * expected[3]);
             if *y > 0.0 {
                 let power: f64 = forces.map(|forces| forces.creep.friction_power).sum();
-                near(&case("friction power in W"), power, expected[4], 0.025 * expected[4]);
+                let expected = expected[4] + LOST_POWER;
+                near(&case("friction power in W"), power, expected, 0.025 * expected);
             }
         }
     }
