@@ -2,6 +2,7 @@
 
 use minijinja::Environment;
 use minijinja::value::Serde;
+use numerics::seconds;
 use serde::Serialize;
 
 use super::collect::ReportData;
@@ -94,6 +95,7 @@ pub fn render(data: &ReportData) -> Result<String, ReportError> {
 /// Fills the template of this name.
 pub(super) fn fill(template: &str, page: &impl Serialize) -> Result<String, ReportError> {
     let mut environment = Environment::new();
+    environment.add_filter("seconds", |time: f64| seconds(time).to_string());
     for (name, text) in TEMPLATES {
         environment.add_template(name, text)?;
     }

@@ -58,11 +58,6 @@ pub(super) fn round_with_unit(value: f64, unit: &str) -> String {
     format!("{} {}{unit}", tick(number, number.abs()), prefix.symbol)
 }
 
-/// A time in seconds, to the millisecond.
-pub(super) fn seconds(time: f64) -> f64 {
-    (time * 1e3).round() / 1e3
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -75,7 +70,6 @@ mod tests {
         assert_eq!(with_unit(0.015, "K"), "15.0 mK");
         assert_eq!(with_unit(4e-12, "K"), "0.00 nK");
         assert_eq!(round_with_unit(0.01, "K"), "10 mK");
-        assert_eq!(seconds(1.900_000_000_000_000_1).to_string(), "1.9");
     }
 
     #[test]

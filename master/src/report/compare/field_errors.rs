@@ -1,11 +1,11 @@
 //! Error measures of a field.
 
 use field::FieldError;
+use numerics::seconds;
 use serde::Serialize;
 
 use super::errors::difference;
 use super::texts::{percent, shown};
-use crate::report::quantity::seconds;
 
 /// How far a variable of a field is from that of another run.
 ///

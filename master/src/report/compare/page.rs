@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use numerics::seconds;
 use serde::Serialize;
 
 use super::about::About;
@@ -16,7 +17,6 @@ use super::texts::{percent, shown};
 use crate::files::file_error::write_whole;
 use crate::report::error::ReportError;
 use crate::report::page::fill;
-use crate::report::quantity::seconds;
 use crate::report::script;
 
 /// All that the template shows.

@@ -2,6 +2,7 @@
 
 use chrono::NaiveDateTime;
 use files::Mistake;
+use numerics::seconds;
 
 /// Why the file cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -13,7 +14,7 @@ pub enum WeatherFileError {
     #[error(
         "weather_file {file} has weather from {first} s to {last} s, but the run needs {} s; it must cover \
          all of the run, the time after the train included",
-        (1e3 * time).round() / 1e3
+        seconds(*time)
     )]
     NotCovered {
         /// File name.
@@ -30,7 +31,7 @@ pub enum WeatherFileError {
         "weather_file {file} has no row for the hour that begins on {}, standard time of its site, which \
          the run needs at {} s; take a file of the whole year",
         missing.format("%d %B at %H:%M"),
-        (1e3 * time).round() / 1e3
+        seconds(*time)
     )]
     NoSuchHour {
         /// File name.
