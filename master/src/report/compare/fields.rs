@@ -69,6 +69,9 @@ impl Fields {
         }
         match (&first.axes().sections, &other.axes().sections) {
             (None, None) => {}
+            // The sections where the feet are warmest are of other places.
+            (Some(own), Some(others))
+                if own.chainage.is_empty() && others.chainage.is_empty() => {}
             (Some(own), Some(others)) if are_same(own, others) => {
                 let positions = section_positions(own);
                 let name = (name, "section_rise");
