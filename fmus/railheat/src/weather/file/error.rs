@@ -26,9 +26,9 @@ pub enum WeatherFileError {
         /// Time wanted, s.
         time: f64,
     },
-    /// The file lacks an hour.
+    /// The file lacks an interval.
     #[error(
-        "weather_file {file} has no row for the hour that begins on {}, standard time of its site, which \
+        "weather_file {file} has no row for the interval that begins on {}, standard time of its site, which \
          the run needs at {} s; take a file of the whole year",
         missing.format("%d %B at %H:%M"),
         seconds(*time)
@@ -36,7 +36,7 @@ pub enum WeatherFileError {
     NoSuchHour {
         /// File name.
         file: String,
-        /// Begin of the hour.
+        /// Begin of the interval.
         missing: NaiveDateTime,
         /// Time wanted, s.
         time: f64,
