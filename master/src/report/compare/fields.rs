@@ -88,7 +88,8 @@ impl Fields {
     }
 }
 
-fn names(run: &Run) -> Result<Vec<String>, CompareError> {
+/// Names of the fields of a run.
+pub(super) fn names(run: &Run) -> Result<Vec<String>, CompareError> {
     let fields = fields_in(&run.folder).map_err(FileError::at(&run.folder))?;
     Ok(fields.iter().filter_map(|path| Some(path.file_name()?.to_str()?.to_owned())).collect())
 }
