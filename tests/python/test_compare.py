@@ -22,12 +22,26 @@ def comparison(run, tmp_path_factory):
     return folder / "page.html"
 
 
+# A rail with no more elements than a curve has points.
+HEAT = """[heat]
+model = "energy"
+step_s = 0.02
+begin_m = -100.0
+length_m = 120.0
+field_interval_s = 0.5
+[heat.parameters]
+"section.cell_size" = 0.006
+"""
+
+
 @pytest.fixture(scope="module")
 def faster(tmp_path_factory):
     """The page of a run and of a faster one of a shorter rail, and their results."""
     folder = tmp_path_factory.mktemp("faster")
     scenario = five_vehicles(folder, [("duration_s = 2.0", "duration_s = 1.0")], "")
-    for name, settings in [("slow", []), ("fast", ["train.speed_m_per_s=18", "heat.length_m=50"])]:
+    text = scenario.read_text()
+    scenario.write_text(text[: text.index("[heat]")] + HEAT)
+    for name, settings in [("slow", []), ("fast", ["train.speed_m_per_s=18", "heat.length_m=110"])]:
         arguments = [argument for setting in settings for argument in ("--set", setting)]
         hotfoot("run", scenario, "--quiet", "--results", folder / name, *arguments)
     hotfoot("compare", folder / "slow", folder / "fast", "--output", folder / "page.html", "--quiet")
@@ -36,10 +50,7 @@ def faster(tmp_path_factory):
 
 @pytest.mark.parametrize("width", [420, 1400])
 def test_rises_along_the_rails_are_drawn(faster, width):
-    rises = []
-    for name in ("slow", "fast"):
-        store = zarr.open_group(faster / name / "rail.zarr", mode="r")
-        rises.append(store["temperature_rise"][-1, :, -1])
+    fields = [zarr.open_group(faster / name / "rail.zarr", mode="r")["temperature_rise"] for name in ("slow", "fast")]
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
         page = browser.new_page(viewport={"width": width, "height": 900})
@@ -49,19 +60,24 @@ def test_rises_along_the_rails_are_drawn(faster, width):
         page.goto((faster / "page.html").as_uri())
         page.wait_for_selector("#along-rails canvas")
         titles = page.locator("#along-rails figcaption strong").all_inner_texts()
-        assert [title.split(" ", 4)[:4] for title in titles[::2]] == [["Rise", "of", "the", level] for level in ("foot", "surface")]
-        assert all("in rail.zarr at 1 s" in title for title in titles[::2]), titles
-        # The drawn foot is that of the stores: both runs', and their difference, where both have rail.
-        drawn = page.evaluate("alongRails.group.panels.slice(0, 2).map(({ plot }) => plot.data)")
-        factor = max(abs(rise).max() for rise in rises) / max(abs(v) for row in drawn[0][1:] for v in row if v is not None)
-        for row, rise in zip(drawn[0][1:], rises, strict=True):
-            shown = numpy.array(row[: len(rise)], dtype=float) * factor
-            assert numpy.allclose(shown, rise, atol=1e-5 * abs(rise).max())
-            assert all(value is None for value in row[len(rise) :])
-        scale = drawn[1][1][100] / (rises[1][100] - rises[0][100])
-        shown = numpy.array(drawn[1][1][: len(rises[1])], dtype=float) / scale
-        wanted = rises[1] - rises[0][: len(rises[1])]
-        assert numpy.allclose(shown, wanted, atol=1e-5 * abs(wanted).max())
+        panels = page.evaluate("alongRails.group.panels.map(({ plot }) => plot.data.map((row) => Array.from(row)))")
+        assert len(titles) == len(panels) == 4
+        for first, (level, depth) in enumerate([("foot", -1), ("surface", 0)]):
+            title = titles[2 * first]
+            assert title.startswith(f"Rise of the {level} (") and "in rail.zarr at 1 s, " in title, title
+            slow, fast = (field[-1, :, depth] for field in fields)
+            common = len(fast)
+            factor = {"K": 1.0, "mK": 1e-3, "µK": 1e-6, "nK": 1e-9}
+            _, own, other = panels[2 * first]
+            unit = factor[title.rsplit(" ", 1)[1]]
+            # Both runs' curves are those of the stores; the shorter rail ends where it ends.
+            assert numpy.allclose(numpy.array(own) * unit, slow, atol=1e-6 * abs(slow).max())
+            assert numpy.allclose(numpy.array(other[:common], dtype=float) * unit, fast, atol=1e-6 * abs(fast).max())
+            assert all(value is None for value in other[common:])
+            unit = factor[titles[2 * first + 1].rsplit(" ", 1)[1]]
+            wanted = fast - slow[:common]
+            drawn = numpy.array(panels[2 * first + 1][1][:common], dtype=float) * unit
+            assert numpy.allclose(drawn, wanted, atol=1e-5 * abs(wanted).max()) and abs(wanted).max() > 0
         assert page.evaluate("document.scrollingElement.scrollWidth") <= width
         assert errors == []
         browser.close()
