@@ -252,7 +252,7 @@ def test_the_section_is_first_that_of_the_warmest_foot(browser, results):
         set_slider(page, 1.0)
         title = page.locator("#section-picture strong").inner_text()
         assert "where the foot is warmest then, left rail" in title, title
-        assert abs(float(re.search(r"at ([\d.]+) m", title)[1]) - chainages[-1]) < 0.01
+        assert abs(float(re.search(r"at (-?[\d.]+) m", title)[1]) - chainages[-1]) < 0.01
         assert page.locator("#section-picture figcaption span").inner_text().endswith("the mean of left and right")
         (words,) = (words for words in readout(page) if words.startswith("Section at"))
         assert close(number(readout(page)[words], "K"), rises[-1].max())
