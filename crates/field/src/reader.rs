@@ -137,7 +137,7 @@ impl FieldReader {
         let index = self.nearest(time)? as u64;
         let (now, cells) = (index..index + 1, 0..sections.y.len() as u64);
         let at: Vec<f64> =
-            read(&self.path, chainage, &ArraySubset::new_with_ranges(&[now.clone()]))?;
+            read(&self.path, chainage, &ArraySubset::new_with_ranges(std::slice::from_ref(&now)))?;
         let rise = read(&self.path, rise, &ArraySubset::new_with_ranges(&[now, cells]))?;
         Ok(Some(WarmestSection { chainage: at[0], rise }))
     }
