@@ -2,7 +2,6 @@
 
 use chrono::NaiveDateTime;
 use files::Mistake;
-use numerics::seconds;
 
 /// Why the file cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -14,7 +13,7 @@ pub enum WeatherFileError {
     #[error(
         "weather_file {file} has weather from {first} s to {last} s, but the run needs {} s; it must cover \
          all of the run, the time after the train included",
-        seconds(*time)
+        asked(*time)
     )]
     NotCovered {
         /// File name.
@@ -31,7 +30,7 @@ pub enum WeatherFileError {
         "weather_file {file} has no row for the interval that begins on {}, standard time of its site, which \
          the run needs at {} s; take a file of the whole year",
         missing.format("%d %B at %H:%M"),
-        seconds(*time)
+        asked(*time)
     )]
     NoSuchHour {
         /// File name.
@@ -50,4 +49,9 @@ pub enum WeatherFileError {
         /// File name.
         file: String,
     },
+}
+
+/// A time that is asked for, to the millisecond: the stop time is asked for with a margin of 1e-9 of it.
+fn asked(time: f64) -> f64 {
+    (1e3 * time).round() / 1e3
 }
