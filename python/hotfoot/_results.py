@@ -50,7 +50,7 @@ class Results:
             """All that manifest.toml says: versions, FMUs with digests, wall times, warnings."""
 
     def __repr__(self) -> str:
-        return f"<hotfoot.Results {str(self.folder)!r}: {self.end}, {self.simulated_s} s>"
+        return f"<hotfoot.Results {str(self.folder)!r}: {self.end}, {round(self.simulated_s, 9)} s>"
 
     @property
     def end(self) -> str:

@@ -132,7 +132,7 @@ class System:
 
     def __repr__(self) -> str:
         time, length, done, steps = self._native.clock()
-        return f"<hotfoot.System at {time} s, {done} of {steps} steps of {length} s>"
+        return f"<hotfoot.System at {round(time, 9)} s, {done} of {steps} steps of {length} s>"
 
     @property
     def time(self) -> float:

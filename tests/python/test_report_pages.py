@@ -235,6 +235,29 @@ def test_the_section_is_that_of_the_store(browser, results):
         assert re.fullmatch(r"\d+\.\d mm to the (field|gauge) side, \d+\.\d mm deep: .* .?K", said), said
 
 
+def test_the_section_is_first_that_of_the_warmest_foot(browser, results):
+    folder = results("energy")
+    store = zarr.open_group(folder / "rail-left.zarr", mode="r")
+    field = xarray.open_zarr(folder / "rail-left.zarr", consolidated=False)
+    assert field["warmest_section_rise"].dims == ("time", "cell")
+    assert field["warmest_section_chainage"].dims == ("time",)
+    rises, chainages, times = (store[name][:] for name in ("warmest_section_rise", "warmest_section_chainage", "time"))
+    # The place is that of the outputs, and the foot is as warm as they say there (the lowest row on the middle).
+    series = table(folder, "rail")
+    rows = (series["rail"] == "left") & numpy.isclose(series["time"], times[-1])
+    assert abs(series["foot.present.chainage"][rows][0] - chainages[-1]) < 1e-6
+    with opened_page(browser, folder) as page:
+        page.wait_for_selector("#section-picture canvas")
+        assert page.locator("#probe").input_value() == "-1"
+        set_slider(page, 1.0)
+        title = page.locator("#section-picture strong").inner_text()
+        assert "where the foot is warmest then, left rail" in title, title
+        assert abs(float(re.search(r"at (-?[\d.]+) m", title)[1]) - chainages[-1]) < 0.01
+        assert page.locator("#section-picture figcaption span").inner_text().endswith("the mean of left and right")
+        (words,) = (words for words in readout(page) if words.startswith("Section at"))
+        assert close(number(readout(page)[words], "K"), rises[-1].max())
+
+
 def test_speed_limits_are_shown_and_told(browser, results):
     with opened_page(browser, results("energy")) as page:
         (said,) = page.locator("p", has_text="exceeds the speed limit").all_inner_texts()

@@ -8,6 +8,7 @@ use hotfoot::report::compare::{
     Compared, Comparison, FieldErrors, How, Mapping, MeasurementOptions,
     compare as compare_results, write_page,
 };
+use numerics::seconds;
 use tools::number::positive;
 
 use crate::output::{print, print_json};
@@ -150,9 +151,9 @@ fn print_errors(compared: &Compared) -> Result<()> {
     for errors in &different[..shown] {
         let name = format!("{}.{}", errors.table, errors.column);
         let [relative, largest, rms, last] = errors.texts();
-        let (signal, at) = (errors.signal(), errors.at_s);
+        let (signal, at) = (errors.signal(), seconds(errors.at_s));
         print(format_args!(
-            "  {name:<width$} {relative:>11} {largest:>11} {rms:>11} {last:>11}  {signal} at {at:.3} s"
+            "  {name:<width$} {relative:>11} {largest:>11} {rms:>11} {last:>11}  {signal} at {at} s"
         ))?;
     }
     match differ - shown {

@@ -5,6 +5,7 @@ use std::process::ExitStatus;
 
 use hotfoot::run::signal_name;
 use hotfoot::watched::{Call, Culprit, EndedBy, Page, crash_name};
+use numerics::seconds;
 
 use super::resources::{Resources, memory_limit, spent_processor_time};
 use super::watch::{Ended, GRACE};
@@ -97,7 +98,7 @@ impl Death<'_> {
     fn in_step(&self, sentence: String) -> String {
         match self.page.records() {
             0 => sentence,
-            _ => format!("at {} s: {sentence}", self.page.step().1),
+            _ => format!("at {} s: {sentence}", seconds(self.page.step().1)),
         }
     }
 

@@ -9,14 +9,14 @@ pub struct Axes {
     pub chainage: Vec<f64>,
     /// Depth of the middle of each cell below the running surface, m.
     pub depth: Vec<f64>,
-    /// Where the whole section is kept, if anywhere.
+    /// The cells of the whole section and where it is kept, if the rail has one.
     pub sections: Option<Sections>,
 }
 
-/// Places at which the rise of the whole section is kept, and the cells of the section.
+/// The cells of the section, and the places at which its rise is kept throughout.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sections {
-    /// Chainage of each place, m.
+    /// Chainage of each place, m; there may be none.
     pub chainage: Vec<f64>,
     /// Middle of each cell, to the right of the rail's middle, m.
     pub y: Vec<f64>,
@@ -26,8 +26,19 @@ pub struct Sections {
     pub area: Vec<f64>,
 }
 
+/// The rises of sections in one snapshot; nothing of a rail without a whole section.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SectionRises {
+    /// Rise at the places, K; the cells of the first place first.
+    pub kept: Vec<f32>,
+    /// Rise where the foot is warmest, K.
+    pub warmest: Vec<f32>,
+    /// Chainage at which that is, m.
+    pub warmest_chainage: f64,
+}
+
 impl Sections {
-    /// Number of values of one snapshot.
+    /// Number of values of one snapshot at the places.
     pub fn values(&self) -> usize {
         self.chainage.len() * self.y.len()
     }

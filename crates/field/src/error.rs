@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use numerics::seconds;
+
 /// Why a field cannot be written or read; every message names the store.
 #[derive(Debug, thiserror::Error)]
 pub enum FieldError {
@@ -38,7 +40,11 @@ pub enum FieldError {
         wanted: usize,
     },
     /// A snapshot that does not come after the last one.
-    #[error("field {path}: snapshot at {time} s does not come after the last one at {last} s")]
+    #[error(
+        "field {path}: snapshot at {} s does not come after the last one at {} s",
+        seconds(*time),
+        seconds(*last)
+    )]
     NotLater {
         /// Path of the store.
         path: PathBuf,

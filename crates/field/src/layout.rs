@@ -20,6 +20,8 @@ pub(crate) const TIME: &str = "time";
 pub(crate) const CHAINAGE: &str = "chainage";
 pub(crate) const DEPTH: &str = "depth";
 pub(crate) const SECTION_RISE: &str = "section_rise";
+pub(crate) const WARMEST_RISE: &str = "warmest_section_rise";
+pub(crate) const WARMEST_CHAINAGE: &str = "warmest_section_chainage";
 pub(crate) const SECTION_CHAINAGE: &str = "section_chainage";
 pub(crate) const SECTION_Y: &str = "section_y";
 pub(crate) const SECTION_Z: &str = "section_z";
@@ -113,31 +115,61 @@ pub(crate) fn depth(path: &Path, cells: usize) -> Result<StoredArray, FieldError
     coordinate(path, DEPTH, (cells as u64, cells as u64), attributes)
 }
 
-/// The sections, still without a snapshot. A snapshot is one chunk, so one file.
+/// The sections at places, still without a snapshot.
 pub(crate) fn section_rise(path: &Path, sections: &Sections) -> Result<StoredArray, FieldError> {
-    let (probes, cells) = (sections.chainage.len() as u64, sections.y.len() as u64);
-    ArrayBuilder::new(
-        vec![0, probes, cells],
-        vec![1, probes, cells],
-        data_type::float32(),
-        f32::NAN,
-    )
-    .bytes_to_bytes_codecs(vec![Arc::new(ZstdCodec::new(COMPRESSION_LEVEL, false))])
-    .dimension_names([TIME, PROBE, CELL].into())
-    .attributes(attributes(json!({
+    let dimensions = [(PROBE, sections.chainage.len() as u64), (CELL, sections.y.len() as u64)];
+    let attributes = attributes(json!({
         "coordinates": format!("{SECTION_CHAINAGE} {SECTION_Y} {SECTION_Z}"),
         "long_name": "temperature rise of the cells of the section above their initial state",
         "units": "K",
-    })))
-    .build(store(path)?, &format!("/{SECTION_RISE}"))
-    .map_err(|error| FieldError::zarr(path, error))
+    }));
+    over_time(path, SECTION_RISE, &dimensions, attributes)
 }
 
-/// What is known of the places and cells of sections: each array with its values.
+/// The section where the foot is warmest, still without a snapshot.
+pub(crate) fn warmest_rise(path: &Path, sections: &Sections) -> Result<StoredArray, FieldError> {
+    let attributes = attributes(json!({
+        "coordinates": format!("{WARMEST_CHAINAGE} {SECTION_Y} {SECTION_Z}"),
+        "long_name": "temperature rise of the cells of the section where the foot is warmest, the mean of left and right",
+        "units": "K",
+    }));
+    over_time(path, WARMEST_RISE, &[(CELL, sections.y.len() as u64)], attributes)
+}
+
+/// The chainages of that section, still without one; each is a chunk of its own, as the times are.
+pub(crate) fn warmest_chainage(path: &Path) -> Result<StoredArray, FieldError> {
+    let attributes = attributes(json!({
+        "long_name": "chainage of the middle of the element whose foot is warmest",
+        "units": "m",
+    }));
+    along(path, WARMEST_CHAINAGE, TIME, (0, 1), attributes)
+}
+
+/// An array of rises that grows with time. A snapshot is one chunk, so one file.
+fn over_time(
+    path: &Path,
+    name: &str,
+    dimensions: &[(&str, u64)],
+    attributes: Map<String, Value>,
+) -> Result<StoredArray, FieldError> {
+    let shape = |snapshots| {
+        std::iter::once(snapshots).chain(dimensions.iter().map(|(_, length)| *length)).collect()
+    };
+    let (none, one): (Vec<u64>, Vec<u64>) = (shape(0), shape(1));
+    let names = std::iter::once(TIME).chain(dimensions.iter().map(|(name, _)| *name));
+    ArrayBuilder::new(none, one, data_type::float32(), f32::NAN)
+        .bytes_to_bytes_codecs(vec![Arc::new(ZstdCodec::new(COMPRESSION_LEVEL, false))])
+        .dimension_names(names.collect::<Vec<_>>().into())
+        .attributes(attributes)
+        .build(store(path)?, &format!("/{name}"))
+        .map_err(|error| FieldError::zarr(path, error))
+}
+
+/// What is known of the cells and places of sections: each array with its values.
 pub(crate) fn of_sections<'s>(
     path: &Path,
     sections: &'s Sections,
-) -> Result<[(StoredArray, &'s [f64]); 4], FieldError> {
+) -> Result<Vec<(StoredArray, &'s [f64])>, FieldError> {
     let array = |name, dimension, values: &'s [f64], described| {
         let length = values.len() as u64;
         let array = along(path, name, dimension, (length, length), attributes(described))?;
@@ -157,12 +189,27 @@ pub(crate) fn of_sections<'s>(
         "units": "m",
     });
     let area = json!({ "long_name": "area of steel in the cell", "units": "m2" });
-    Ok([
-        array(SECTION_CHAINAGE, PROBE, &sections.chainage, chainage)?,
+    let mut arrays = vec![
         array(SECTION_Y, CELL, &sections.y, y)?,
         array(SECTION_Z, CELL, &sections.z, z)?,
         array(SECTION_AREA, CELL, &sections.area, area)?,
-    ])
+    ];
+    if !sections.chainage.is_empty() {
+        arrays.push(array(SECTION_CHAINAGE, PROBE, &sections.chainage, chainage)?);
+    }
+    Ok(arrays)
+}
+
+/// Writes the values of a chunk.
+pub(crate) fn store_chunk<T: zarrs::array::Element>(
+    path: &Path,
+    array: &StoredArray,
+    chunk: &[u64],
+    values: &[T],
+) -> Result<(), FieldError> {
+    array
+        .store_chunk_opt(chunk, values, &in_this_thread())
+        .map_err(|error| FieldError::zarr(path, error))
 }
 
 fn coordinate(
@@ -211,8 +258,16 @@ pub(crate) fn consolidate(path: &Path) -> Result<(), FieldError> {
     let mut group = read_metadata(path)?;
     let mut arrays = Map::new();
     let of_field = [CHAINAGE, DEPTH, TEMPERATURE_RISE, TIME];
-    let of_sections = [SECTION_RISE, SECTION_CHAINAGE, SECTION_Y, SECTION_Z, SECTION_AREA];
-    // Not all rails keep sections.
+    let of_sections = [
+        SECTION_RISE,
+        SECTION_CHAINAGE,
+        SECTION_Y,
+        SECTION_Z,
+        SECTION_AREA,
+        WARMEST_RISE,
+        WARMEST_CHAINAGE,
+    ];
+    // Not all rails have sections.
     let kept = of_sections.into_iter().filter(|name| path.join(name).exists());
     for name in of_field.into_iter().chain(kept) {
         arrays.insert(name.to_owned(), read_metadata(&path.join(name))?);

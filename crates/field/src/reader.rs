@@ -9,7 +9,7 @@ use crate::axes::{Axes, Sections};
 use crate::error::FieldError;
 use crate::layout::{
     self, CHAINAGE, DEPTH, SECTION_AREA, SECTION_CHAINAGE, SECTION_RISE, SECTION_Y, SECTION_Z,
-    Store, StoredArray, TEMPERATURE_RISE, TIME,
+    Store, StoredArray, TEMPERATURE_RISE, TIME, WARMEST_CHAINAGE, WARMEST_RISE,
 };
 use crate::writer::is_rail_field;
 
@@ -24,6 +24,15 @@ pub struct Snapshot {
     /// Time, s.
     pub time: f64,
     /// Rise above the initial state, K; the depths of the first element first.
+    pub rise: Vec<f32>,
+}
+
+/// The section where the foot is warmest at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WarmestSection {
+    /// Where that is, m.
+    pub chainage: f64,
+    /// Rise of each cell above the initial state, K, the mean of left and right.
     pub rise: Vec<f32>,
 }
 
@@ -43,6 +52,8 @@ pub struct FieldReader {
     path: PathBuf,
     temperature_rise: StoredArray,
     section_rise: Option<StoredArray>,
+    /// The section where the foot is warmest, and its chainages.
+    warmest: Option<(StoredArray, StoredArray)>,
     axes: Axes,
     times: Vec<f64>,
 }
@@ -62,11 +73,13 @@ impl FieldReader {
         let store = layout::store(path)?;
         let temperature_rise = of_dimensions(path, open(path, &store, TEMPERATURE_RISE)?, 3)?;
         let axis = |name| coordinate(path, &of_dimensions(path, open(path, &store, name)?, 1)?);
-        let section_rise = section_rise(path, &store)?;
-        let sections = match section_rise {
-            None => None,
-            Some(_) => Some(Sections {
-                chainage: axis(SECTION_CHAINAGE)?,
+        let of_sections = |name, wanted| open_if_there(path, &store, name, wanted);
+        let section_rise = of_sections(SECTION_RISE, 3)?;
+        let warmest = of_sections(WARMEST_RISE, 2)?.zip(of_sections(WARMEST_CHAINAGE, 1)?);
+        let sections = match section_rise.is_some() || warmest.is_some() {
+            false => None,
+            true => Some(Sections {
+                chainage: section_rise.as_ref().map_or(Ok(vec![]), |_| axis(SECTION_CHAINAGE))?,
                 y: axis(SECTION_Y)?,
                 z: axis(SECTION_Z)?,
                 area: axis(SECTION_AREA)?,
@@ -76,7 +89,7 @@ impl FieldReader {
         let mut times = axis(TIME)?;
         // A writer that was killed within an append may have made the time visible only.
         times.truncate(temperature_rise.shape()[0] as usize);
-        Ok(Self { path: path.to_owned(), temperature_rise, section_rise, axes, times })
+        Ok(Self { path: path.to_owned(), temperature_rise, section_rise, warmest, axes, times })
     }
 
     /// Where the values of each snapshot lie.
@@ -112,6 +125,23 @@ impl FieldReader {
         read(&self.path, array, &ArraySubset::new_with_ranges(&ranges))
     }
 
+    /// The section where the foot is warmest at the snapshot nearest to `time`; none of a rail without a
+    /// whole section.
+    ///
+    /// # Errors
+    /// When the field has no snapshot or the file cannot be read.
+    pub fn warmest_at_time(&self, time: f64) -> Result<Option<WarmestSection>, FieldError> {
+        let (Some((rise, chainage)), Some(sections)) = (&self.warmest, &self.axes.sections) else {
+            return Ok(None);
+        };
+        let index = self.nearest(time)? as u64;
+        let (now, cells) = (index..index + 1, 0..sections.y.len() as u64);
+        let at: Vec<f64> =
+            read(&self.path, chainage, &ArraySubset::new_with_ranges(std::slice::from_ref(&now)))?;
+        let rise = read(&self.path, rise, &ArraySubset::new_with_ranges(&[now, cells]))?;
+        Ok(Some(WarmestSection { chainage: at[0], rise }))
+    }
+
     /// The number of the snapshot nearest to a time, the earlier one of two.
     fn nearest(&self, time: f64) -> Result<usize, FieldError> {
         let distance = |index: &usize| (self.times[*index] - time).abs();
@@ -140,10 +170,15 @@ pub(crate) fn open(path: &Path, store: &Store, name: &str) -> Result<StoredArray
     })
 }
 
-/// The sections of a store that has some.
-pub(crate) fn section_rise(path: &Path, store: &Store) -> Result<Option<StoredArray>, FieldError> {
-    match path.join(SECTION_RISE).is_dir() {
-        true => of_dimensions(path, open(path, store, SECTION_RISE)?, 3).map(Some),
+/// An array of sections with so many dimensions, if the store has it.
+pub(crate) fn open_if_there(
+    path: &Path,
+    store: &Store,
+    name: &str,
+    dimensions: usize,
+) -> Result<Option<StoredArray>, FieldError> {
+    match path.join(name).is_dir() {
+        true => of_dimensions(path, open(path, store, name)?, dimensions).map(Some),
         false => Ok(None),
     }
 }

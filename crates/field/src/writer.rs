@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value, json};
 
-use crate::axes::{Attribute, Axes};
+use crate::axes::{Attribute, Axes, SectionRises};
 use crate::error::FieldError;
-use crate::layout::{self, KIND, StoredArray};
+use crate::layout::{self, KIND, StoredArray, store_chunk};
+use crate::section_arrays::SectionArrays;
 
 /// Appends snapshots of the temperature rise to a store on disk.
 ///
@@ -16,8 +17,7 @@ pub struct FieldWriter {
     path: PathBuf,
     temperature_rise: StoredArray,
     time: StoredArray,
-    /// Sections, and the number of values of a snapshot of them.
-    sections: Option<(StoredArray, usize)>,
+    sections: Option<SectionArrays>,
     /// One snapshot with the padding that fills the last chunk.
     shard: Vec<f32>,
     values: usize,
@@ -38,7 +38,7 @@ impl FieldWriter {
         attributes: &[(&str, Attribute)],
     ) -> Result<Self, FieldError> {
         let sections = axes.sections.iter();
-        let of_sections = sections.flat_map(|s| [("probe", &s.chainage), ("cell", &s.y)]);
+        let of_sections = sections.map(|sections| ("cell", &sections.y));
         let of_field = [("chainage", &axes.chainage), ("depth", &axes.depth)];
         for (axis, values) in of_field.into_iter().chain(of_sections) {
             if values.is_empty() {
@@ -51,12 +51,12 @@ impl FieldWriter {
         let chainage = layout::chainage(path, axes.chainage.len())?;
         let depth = layout::depth(path, axes.depth.len())?;
         for (array, values) in [(chainage, &axes.chainage), (depth, &axes.depth)] {
-            store(path, &array, &[0], values)?;
+            store_chunk(path, &array, &[0], values)?;
             layout::write_metadata(path, &array)?;
         }
         if let Some(sections) = &axes.sections {
             for (array, values) in layout::of_sections(path, sections)? {
-                store(path, &array, &[0], values)?;
+                store_chunk(path, &array, &[0], values)?;
                 layout::write_metadata(path, &array)?;
             }
         }
@@ -70,7 +70,7 @@ impl FieldWriter {
         let (temperature_rise, time) = (layout::temperature_rise(path, axes)?, layout::time(path)?);
         let shard = shard_values(path, &temperature_rise)?;
         let sections = match &axes.sections {
-            Some(sections) => Some((layout::section_rise(path, sections)?, sections.values())),
+            Some(sections) => Some(SectionArrays::new(path, sections)?),
             None => None,
         };
         let mut writer = Self {
@@ -96,10 +96,9 @@ impl FieldWriter {
         };
         for n in self.snapshots.. {
             let mut found = false;
-            let (of_time, of_field) = ([n], [n, 0, 0]);
-            let sections = self.sections.iter().map(|(array, _)| (array, &of_field[..]));
-            let others = [(&self.time, &of_time[..]), (&self.temperature_rise, &of_field[..])];
-            for (array, chunk) in others.into_iter().chain(sections) {
+            let sections = self.sections.iter().flat_map(SectionArrays::all);
+            for array in [&self.time, &self.temperature_rise].into_iter().chain(sections) {
+                let chunk = &[n, 0, 0][..array.dimensionality()];
                 found |= array.retrieve_encoded_chunk(chunk).map_err(|e| zarr(&e))?.is_some();
                 array.erase_chunk(chunk).map_err(|e| zarr(&e))?;
             }
@@ -112,8 +111,8 @@ impl FieldWriter {
 
     fn set_length(&mut self, snapshots: u64) -> Result<(), FieldError> {
         grow(&self.path, &mut self.time, snapshots)?;
-        if let Some((sections, _)) = &mut self.sections {
-            grow(&self.path, sections, snapshots)?;
+        for array in self.sections.iter_mut().flat_map(SectionArrays::all_mut) {
+            grow(&self.path, array, snapshots)?;
         }
         grow(&self.path, &mut self.temperature_rise, snapshots)
     }
@@ -121,21 +120,26 @@ impl FieldWriter {
     /// Makes visible what is on disk; the field itself last, whose length is that of the store.
     fn show(&self) -> Result<(), FieldError> {
         layout::write_metadata(&self.path, &self.time)?;
-        if let Some((sections, _)) = &self.sections {
-            layout::write_metadata(&self.path, sections)?;
+        for array in self.sections.iter().flat_map(SectionArrays::all) {
+            layout::write_metadata(&self.path, array)?;
         }
         layout::write_metadata(&self.path, &self.temperature_rise)?;
         layout::consolidate(&self.path)
     }
 
     /// Appends the snapshot at `time` in s: the rise in K, the depths of the first element first, and
-    /// that of the sections, the cells of the first place first (none where none are kept).
+    /// those of the sections.
     ///
     /// # Errors
     /// When the snapshot has the wrong size, does not come after the last one, or cannot be
     /// written; the snapshots before it stay readable. When the store is no longer there: nothing is
     /// written then, for half of a store is none.
-    pub fn append(&mut self, time: f64, rise: &[f32], sections: &[f32]) -> Result<(), FieldError> {
+    pub fn append(
+        &mut self,
+        time: f64,
+        rise: &[f32],
+        sections: &SectionRises,
+    ) -> Result<(), FieldError> {
         self.check(time, rise, sections)?;
         let written = self.write(time, rise, sections);
         match written.is_err() && !is_rail_field(&self.path) {
@@ -145,15 +149,15 @@ impl FieldWriter {
     }
 
     /// As [`Self::append`], of a snapshot of the right size.
-    fn write(&mut self, time: f64, rise: &[f32], sections: &[f32]) -> Result<(), FieldError> {
+    fn write(&mut self, time: f64, rise: &[f32], rises: &SectionRises) -> Result<(), FieldError> {
         self.shard[..self.values].copy_from_slice(rise);
         let n = self.snapshots;
         self.set_length(n + 1)?;
-        store(&self.path, &self.time, &[n], &[time])?;
-        if let Some((array, _)) = &self.sections {
-            store(&self.path, array, &[n, 0, 0], sections)?;
+        store_chunk(&self.path, &self.time, &[n], &[time])?;
+        if let Some(sections) = &self.sections {
+            sections.store(&self.path, n, rises)?;
         }
-        store(&self.path, &self.temperature_rise, &[n, 0, 0], &self.shard)?;
+        store_chunk(&self.path, &self.temperature_rise, &[n, 0, 0], &self.shard)?;
         // The values are on disk; now they become visible.
         self.show()?;
         self.snapshots = n + 1;
@@ -170,9 +174,11 @@ impl FieldWriter {
         FieldError::Gone { path: self.path.clone() }
     }
 
-    fn check(&self, time: f64, rise: &[f32], sections: &[f32]) -> Result<(), FieldError> {
-        let of_sections = self.sections.as_ref().map_or(0, |(_, values)| *values);
-        for (found, wanted) in [(rise.len(), self.values), (sections.len(), of_sections)] {
+    fn check(&self, time: f64, rise: &[f32], rises: &SectionRises) -> Result<(), FieldError> {
+        let [kept, section] = self.sections.as_ref().map_or([0, 0], SectionArrays::values);
+        for (found, wanted) in
+            [(rise.len(), self.values), (rises.kept.len(), kept), (rises.warmest.len(), section)]
+        {
             if found != wanted {
                 return Err(FieldError::Size { path: self.path.clone(), found, wanted });
             }
@@ -238,15 +244,4 @@ fn grow(path: &Path, array: &mut StoredArray, snapshots: u64) -> Result<(), Fiel
     let mut shape = array.shape().to_vec();
     shape[0] = snapshots;
     array.set_shape(shape).map(|_| ()).map_err(|error| FieldError::zarr(path, error))
-}
-
-fn store<T: zarrs::array::Element>(
-    path: &Path,
-    array: &StoredArray,
-    chunk: &[u64],
-    values: &[T],
-) -> Result<(), FieldError> {
-    array
-        .store_chunk_opt(chunk, values, &layout::in_this_thread())
-        .map_err(|error| FieldError::zarr(path, error))
 }

@@ -1,5 +1,7 @@
 //! Why a call did not succeed, in sentences for the user.
 
+use numerics::seconds;
+
 use crate::calls::{Call, Phase};
 use crate::model::ModelError;
 
@@ -55,7 +57,7 @@ pub enum Error {
     Initialization(ModelError),
 
     /// The model failed within a step.
-    #[error("the step from {start} s over {length} s failed: {source}")]
+    #[error("the step from {} s over {} s failed: {source}", seconds(*start), seconds(*length))]
     Step {
         /// Time at which the step began, s.
         start: f64,
@@ -70,7 +72,7 @@ pub enum Error {
     Termination(ModelError),
 
     /// An output is not a number.
-    #[error("the output `{variable}` became {value} at {time} s")]
+    #[error("the output `{variable}` became {value} at {} s", seconds(*time))]
     NotFinite {
         /// The output.
         variable: String,
@@ -139,7 +141,7 @@ pub enum Error {
     #[error("the communication step size must be greater than zero and finite, not {0} s")]
     StepSize(f64),
 
-    /// A step does not begin where the last one ended.
+    /// A step does not begin where the last one ended; all digits, since the gap may be small.
     #[error("the step begins at {given} s, but the FMU stands at {own} s")]
     CommunicationPoint {
         /// Time at which the environment wants the step to begin, s.
@@ -148,7 +150,7 @@ pub enum Error {
         own: f64,
     },
 
-    /// A step goes beyond the end of the experiment.
+    /// A step goes beyond the end of the experiment; all digits, since it may be by little.
     #[error("the step would end at {end} s, after the stop time {stop} s")]
     BeyondStopTime {
         /// End of the step, s.

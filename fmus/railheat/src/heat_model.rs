@@ -5,10 +5,10 @@ use crate::line::{Highest, Line, Stray};
 use crate::section::Cell;
 use crate::weather::Weather;
 
-/// Where the rise of the whole section is kept.
+/// The whole section, and where its rise is kept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeptSections<'m> {
-    /// Chainage of each place, m.
+    /// Chainage of each place, m; there may be none.
     pub chainages: Vec<f64>,
     /// The cells of the section.
     pub cells: &'m [Cell],
@@ -50,9 +50,14 @@ pub trait HeatModel {
     /// Writes the rises in K into `values`, the depths of the first element first.
     fn snapshot(&self, values: &mut [f32]);
 
-    /// Where the rise of the whole section is kept, if anywhere.
+    /// The whole section and where its rise is kept, if the model has one and is to keep it.
     fn kept_sections(&self) -> Option<KeptSections<'_>> {
         None
+    }
+
+    /// Writes the rises of the section where the foot is warmest in K, and gives its chainage in m.
+    fn warmest_section(&self, _values: &mut [f32]) -> f64 {
+        0.0
     }
 
     /// Writes the rises of the section at these places in K, the cells of the first place first.

@@ -11,11 +11,11 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use numerics::seconds;
 use serde::{Deserialize, Serialize};
 
 use super::binding::OK;
 use crate::files::printable::printable;
-use crate::system::clock::shown;
 
 /// Warnings kept per instance; an FMU that warns in each step must not fill the memory.
 const MAX_WARNINGS: usize = 20;
@@ -171,7 +171,7 @@ impl Messages {
     /// That time as part of a sentence.
     fn when(&self) -> String {
         let time = f64::from_bits(self.time.load(Ordering::Relaxed));
-        if time.is_nan() { String::new() } else { format!(" at {} s", shown(time)) }
+        if time.is_nan() { String::new() } else { format!(" at {} s", seconds(time)) }
     }
 
     /// Keeps a warning that came without a message since the one before.

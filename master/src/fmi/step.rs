@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use numerics::seconds;
+
 use super::binding::{
     DISCARD, DO_STEP_STATUS, LAST_SUCCESSFUL_TIME, OK, PENDING, Status, TERMINATED, WARNING,
 };
@@ -20,6 +22,11 @@ const MOST_PARTS: u32 = 16;
 enum Outcome {
     Done,
     Discarded,
+}
+
+/// A step in a sentence.
+fn of_step(time: f64, length: f64) -> String {
+    format!(" from {} s by {} s", seconds(time), seconds(length))
 }
 
 impl FmuInstance {
@@ -66,7 +73,7 @@ impl FmuInstance {
     }
 
     fn do_step(&mut self, time: f64, length: f64) -> Result<Outcome, UnitError> {
-        let detail = |_: &Self| format!(" from {time} s by {length} s");
+        let detail = |_: &Self| of_step(time, length);
         self.messages.reached(time);
         let mut status = self.status_of(
             c"fmi2DoStep",
@@ -126,10 +133,10 @@ impl FmuInstance {
     /// The error of a step that was not done, with the time until which it came.
     fn discarded(&mut self, time: f64, length: f64, tried: &str) -> UnitError {
         let reached = match self.last_successful_time() {
-            Some(reached) => format!(", done until {reached} s,"),
+            Some(reached) => format!(", done until {} s,", seconds(reached)),
             None => String::new(),
         };
-        let detail = |_: &Self| format!(" from {time} s by {length} s{tried}{reached}");
+        let detail = |_: &Self| format!("{}{tried}{reached}", of_step(time, length));
         self.failed(c"fmi2DoStep", detail, DISCARD)
     }
 

@@ -2,6 +2,8 @@
 
 use std::ffi::{CStr, CString};
 
+use numerics::seconds;
+
 use super::binding::Functions;
 use super::instance::FmuInstance;
 use crate::interface::{Interface, VariableType};
@@ -92,7 +94,7 @@ impl Unit for FmuInstance {
             c"fmi2SetupExperiment",
             // SAFETY: the instance is alive.
             |f, c| unsafe { (f.setup_experiment)(c, stated, tolerance, start, 1, stop) },
-            |_| format!(" from {start} s to {stop} s"),
+            |_| format!(" from {} s to {} s", seconds(start), seconds(stop)),
         )?;
         self.call(
             c"fmi2EnterInitializationMode",

@@ -1,7 +1,9 @@
 //! What the report shows besides the linked view: plain vectors, in SI units.
 
+use numerics::seconds;
+
 use super::facts::EnergyLine;
-use super::quantity::{seconds, with_unit};
+use super::quantity::with_unit;
 
 /// A line of a table of figures; programs find it under its key in the manifest.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use field::{Axes, FieldWriter, Sections};
+use field::{Axes, FieldWriter, SectionRises, Sections};
 use track::SpeedLimit;
 
 use super::instrument::OF_TRAIN;
@@ -44,7 +44,12 @@ fn write_field(store: &Path) {
             area: vec![1e-6; cells as usize],
         }),
     };
-    let (rise, sections) = (vec![0.1; axes.values()], vec![0.2; 3 * cells as usize]);
+    let rise = vec![0.1; axes.values()];
+    let sections = SectionRises {
+        kept: vec![0.2; 3 * cells as usize],
+        warmest: vec![0.3; cells as usize],
+        warmest_chainage: 30.0,
+    };
     let mut writer = FieldWriter::create(store, &axes, &[]).unwrap();
     for time in 0..40 {
         writer.append(5.0 * f64::from(time), &rise, &sections).unwrap();

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use field::{Axes, FieldWriter, Sections};
+use field::{Axes, FieldWriter, SectionRises, Sections};
 
 use super::{EnergyLine, LimitFacts, RailFacts, RunFacts, TrackFacts};
 use crate::recording::{Column, Key, KeyValues, SeriesWriter, VehicleRow, vehicle_keys};
@@ -129,7 +129,8 @@ fn rail_row(share: f64, time: f64, surface: f64, position: f64) -> Vec<f64> {
     row
 }
 
-/// Rises that fall with depth, between chainages 50 m and 150 m, of 2 K at the end of the run.
+/// Rises that fall with depth, between chainages 50 m and 150 m, of 2 K at the end of the run; the foot is
+/// warmest at 99 m then.
 fn write_field(store: &Path) {
     let axes = Axes {
         chainage: (0..300).map(|i| f64::from(i) + 0.5).collect(),
@@ -144,7 +145,11 @@ fn write_field(store: &Path) {
         };
         let along = axes.chainage.iter();
         let values = along.flat_map(|&x| axes.depth.iter().map(move |&z| rise(x, z) as f32));
-        let sections: Vec<f32> = (0..6).map(|cell| (time / 20.0) as f32 * cell as f32).collect();
+        let sections = SectionRises {
+            kept: (0..6).map(|cell| (time / 20.0) as f32 * cell as f32).collect(),
+            warmest: vec![0.5, 1.0, (time / 4.0) as f32],
+            warmest_chainage: 89.0 + 0.5 * time,
+        };
         writer.append(time, &values.collect::<Vec<f32>>(), &sections).unwrap();
     }
 }

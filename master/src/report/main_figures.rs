@@ -1,13 +1,14 @@
 //! The table of main figures.
 
 use numerics::constants::KILOMETRES_PER_HOUR;
+use numerics::seconds;
 
 use super::data::MainFigure;
 use super::error::ReportError;
 use super::facts::RunFacts;
 use super::instrument::Residual;
 use super::output_figures;
-use super::quantity::{seconds, with_unit};
+use super::quantity::with_unit;
 use super::results::Results;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 

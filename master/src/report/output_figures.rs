@@ -2,8 +2,9 @@
 //! name the highest and the lowest mean over an interval of the record, and the largest standard
 //! deviation of these means in time. Rules of acceptance judge such means, not single steps.
 
+use numerics::seconds;
+
 use super::data::MainFigure;
-use super::quantity::seconds;
 use crate::interface::name_pattern::matches;
 use crate::recording::{RecordingError, SeriesReader};
 

@@ -2,6 +2,7 @@
 
 use minijinja::Environment;
 use minijinja::value::Serde;
+use numerics::seconds;
 use serde::Serialize;
 
 use super::collect::ReportData;
@@ -11,7 +12,7 @@ use super::facts::{RailFacts, RunFacts};
 use super::figures::{self, Panel};
 use super::limits::{self, Judged};
 use super::provenance::Provenance;
-use super::quantity::with_unit;
+use super::quantity::{with_minus, with_unit};
 use super::script;
 use super::verdict::{Verdict, verdict};
 use super::wall_times::{WallTimes, wall_times};
@@ -94,6 +95,8 @@ pub fn render(data: &ReportData) -> Result<String, ReportError> {
 /// Fills the template of this name.
 pub(super) fn fill(template: &str, page: &impl Serialize) -> Result<String, ReportError> {
     let mut environment = Environment::new();
+    environment.add_filter("seconds", |time: f64| seconds(time).to_string());
+    environment.add_filter("minus", |text: &str| with_minus(text));
     for (name, text) in TEMPLATES {
         environment.add_template(name, text)?;
     }

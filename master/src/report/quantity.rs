@@ -51,16 +51,26 @@ pub(super) fn tick(value: f64, span: f64) -> String {
     }
 }
 
+/// A text with a proper minus before its numbers, as pages have it.
+pub(super) fn with_minus(text: &str) -> String {
+    let mut typed = String::with_capacity(text.len());
+    let mut before = ' ';
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let is_sign = letter == '-'
+            && before.is_whitespace()
+            && letters.peek().is_some_and(char::is_ascii_digit);
+        typed.push(if is_sign { '−' } else { letter });
+        before = letter;
+    }
+    typed
+}
+
 /// A round number with its unit, such as `10 mK`.
 pub(super) fn round_with_unit(value: f64, unit: &str) -> String {
     let prefix = Prefix::of(value);
     let number = value / prefix.factor;
     format!("{} {}{unit}", tick(number, number.abs()), prefix.symbol)
-}
-
-/// A time in seconds, to the millisecond.
-pub(super) fn seconds(time: f64) -> f64 {
-    (time * 1e3).round() / 1e3
 }
 
 #[cfg(test)]
@@ -75,7 +85,13 @@ mod tests {
         assert_eq!(with_unit(0.015, "K"), "15.0 mK");
         assert_eq!(with_unit(4e-12, "K"), "0.00 nK");
         assert_eq!(round_with_unit(0.01, "K"), "10 mK");
-        assert_eq!(seconds(1.900_000_000_000_000_1).to_string(), "1.9");
+    }
+
+    #[test]
+    fn only_numbers_have_a_minus() {
+        assert_eq!(with_minus("-984 N"), "−984 N");
+        assert_eq!(with_minus("chainage -1.9 m at 4 s"), "chainage −1.9 m at 4 s");
+        assert_eq!(with_minus("in 2026-11-30 a-b, 9e-12 - 1"), "in 2026-11-30 a-b, 9e-12 - 1");
     }
 
     #[test]

@@ -3,11 +3,13 @@
 
 use std::path::Path;
 
+use numerics::seconds;
+
 use super::data::{Foot, HeatAt, MainFigure, RailData};
 use super::error::ReportError;
 use super::facts::{EnergyLine, RailFacts};
 use super::main_figures::largest;
-use super::quantity::{round_with_unit, seconds, with_unit};
+use super::quantity::{round_with_unit, with_unit};
 use crate::recording::{KeyValue, RAIL_TABLE, RecordingError, SeriesReader};
 
 /// The sources of heat as the rail's outputs name them, and in words.

@@ -1,10 +1,10 @@
 //! Where the train exceeds a speed limit of the track file.
 
 use numerics::constants::KILOMETRES_PER_HOUR;
+use numerics::seconds;
 use track::SpeedLimit;
 
 use super::facts::RunFacts;
-use super::quantity::seconds;
 use crate::recording::{KeyValue, RecordingError, SeriesReader};
 
 /// Faster by less than this share of the limit is rounding.

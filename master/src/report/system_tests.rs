@@ -96,7 +96,7 @@ fn the_page_of_a_system_has_facts_times_and_what_changed() {
     for wanted in [
         "a &lt;tank&gt; and a pump",
         "3 components from tank.ssp",
-        "2.0 s simulated in steps of",
+        "2 s simulated in steps of",
         "500 ms in all with 2 threads, of which recording took 50.0 ms",
         "<td>tank <span class=\"location\">tank.fmu</span></td><td class=\"value\">400 ms</td><td class=\"value\">80.0 %</td>",
         "the &lt;pump&gt; runs dry",

@@ -1,13 +1,14 @@
 //! The answer of a run in sentences: whether the foot warms, where, when, seen from where, by which
 //! source. All words of the verdict stand here.
 
+use numerics::seconds;
 use serde::Serialize;
 
 use super::collect::ReportData;
 use super::data::{MainFigure, RailData};
 use super::facts::RailFacts;
 use super::limits::Judged;
-use super::quantity::{round_with_unit, seconds, with_unit};
+use super::quantity::{round_with_unit, with_unit};
 use super::rail_figures::SOURCES;
 
 /// The answer of a run.

@@ -1,9 +1,10 @@
 //! Where the wall time of a run went, by parts of the step and by units.
 
+use numerics::seconds;
 use serde::Serialize;
 
 use super::provenance::{Provenance, UnitFacts};
-use super::quantity::{seconds, with_unit};
+use super::quantity::with_unit;
 
 /// Units that have a row; the others share one.
 const MOST_ROWS: usize = 12;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use files::{Mistake, Setting};
+use numerics::seconds;
 
 use crate::files::file_error::FileError;
 use crate::report::ReportError;
@@ -55,7 +56,7 @@ pub enum RunError {
     #[error(transparent)]
     Start(#[from] StartError),
     /// A unit failed while running; what was recorded before is kept.
-    #[error("at {time} s: {source}; the results until then are in {results}")]
+    #[error("at {} s: {source}; the results until then are in {results}", seconds(*time))]
     Step {
         /// Time at which the step began, s.
         time: f64,

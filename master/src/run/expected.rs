@@ -18,6 +18,7 @@ use std::fmt;
 use std::path::Path;
 
 use files::{Document, Mistake};
+use numerics::seconds;
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +35,11 @@ pub enum ExpectedError {
     #[error(transparent)]
     Expected(#[from] Mistake),
     /// The run is another one.
-    #[error("the run came to {found} s, but the figures are expected after {expected} s")]
+    #[error(
+        "the run came to {} s, but the figures are expected after {} s",
+        seconds(*found),
+        seconds(*expected)
+    )]
     Time {
         /// Time that the run came to, s.
         found: f64,

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use numerics::seconds;
+
 use crate::fmi::watched;
 use crate::system::step::WishToEnd;
 
@@ -35,9 +37,12 @@ impl fmt::Display for Early {
         match self {
             Self::Stopped(stopped) => stopped.fmt(f),
             Self::Wished(WishToEnd { of, time, .. }) => {
+                let time = seconds(*time);
                 write!(f, "the run ended at {time} s, because {of} wanted it to end")
             }
-            Self::Left { time } => write!(f, "the program that stepped it left it at {time} s"),
+            Self::Left { time } => {
+                write!(f, "the program that stepped it left it at {} s", seconds(*time))
+            }
         }
     }
 }
@@ -53,7 +58,7 @@ pub struct Stopped {
 
 impl fmt::Display for Stopped {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "interrupted by {} at {} s", signal_name(self.signal), self.time)
+        write!(f, "interrupted by {} at {} s", signal_name(self.signal), seconds(self.time))
     }
 }
 

@@ -6,10 +6,10 @@
 
 use std::collections::HashSet;
 
+use numerics::seconds;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::clock;
 use super::motion::Motion;
 use super::signals::{Ranges, Signals};
 use super::unit::{Unit, UnitError};
@@ -156,7 +156,7 @@ impl Watch {
             Checks::Warn | Checks::Off => false,
         };
         let what =
-            || format!("{} at {} s", shown(unit.interface(), variable, value), clock::shown(time));
+            || format!("{} at {} s", shown(unit.interface(), variable, value), seconds(time));
         if is_error {
             return Err(UnitError {
                 instance: unit.name().into(),

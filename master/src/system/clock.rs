@@ -16,11 +16,6 @@ impl Clock {
     }
 }
 
-/// A time without the rounding of its last digits, for messages, s.
-pub fn shown(time: f64) -> f64 {
-    (time * 1e9).round() / 1e9
-}
-
 /// Margin of [`beyond`], in parts of the time: the roundings of ten million steps that an FMU adds up.
 const MARGIN: f64 = 1e-9;
 

@@ -4,6 +4,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use numerics::seconds;
+
 use super::structure::{Component, Connection, Sampling, Schedule, Structure};
 
 /// Like components, which differ in their numbers only.
@@ -35,7 +37,7 @@ impl Structure {
     pub fn text(&self) -> String {
         let mut text = String::new();
         let (components, connections) = (self.components.len(), self.connections.len());
-        let step = self.step.map_or(String::new(), |step| format!(", step {step} s"));
+        let step = self.step.map_or(String::new(), |step| format!(", step {} s", seconds(step)));
         let name = &self.name;
         line(
             &mut text,
@@ -158,7 +160,7 @@ impl Group<'_> {
         if schedule.every > 1 {
             let _ = write!(text, ", every {} steps", schedule.every);
             if let Some(step) = step {
-                let _ = write!(text, " ({} s)", step * schedule.every as f64);
+                let _ = write!(text, " ({} s)", seconds(step * schedule.every as f64));
             }
         }
         text

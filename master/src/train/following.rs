@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use numerics::seconds;
 use serde::{Deserialize, Serialize};
 
 use super::layout::VehicleHolder;
@@ -13,7 +14,6 @@ use super::roles::variable::{RoleVariable, find, named};
 use crate::interface::range::Range;
 use crate::interface::si::Linear;
 use crate::interface::{Interface, Variable, VariableType};
-use crate::system::clock::shown;
 use crate::system::unit::{Unit, UnitError};
 
 /// What such a vehicle is told of its motion in the train, in m and m/s: the train's names and its own.
@@ -105,7 +105,7 @@ impl Following {
         self.warnings.push(format!(
             "{message} at {} s in {action}{status} ({source_file}); from there on it follows the motion of \
              the train, and its forces and friction power are zero",
-            shown(self.time)
+            seconds(self.time)
         ));
         self.follows = true;
         Ok(())

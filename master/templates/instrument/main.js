@@ -1,7 +1,7 @@
 // The linked view: one time, one chainage, one vehicle, one wheel and one rail for all of its panels.
 
-import { nearest, withUnit } from "./numbers.js";
-import { actualTime, hottestProbe, instant, leftOut, readRun, sectionAt, snapshot, vehicleOverTime, warmest, warmestFoot } from "./run.js";
+import { nearest, seconds, withUnit } from "./numbers.js";
+import { WARMEST, actualTime, firstSection, instant, leftOut, readRun, sectionAt, snapshot, vehicleOverTime, warmest, warmestFoot } from "./run.js";
 import { onTheme } from "./colours.js";
 import { Group } from "./panel.js";
 import { addAlongTrack, extentsAlong, wheelName } from "./along_track.js";
@@ -22,7 +22,7 @@ class View {
     // The first look is at the warmest foot, if it warms after the run, else at the end of the run.
     if (foot?.time > end) this.time = foot.time;
     if (foot) this.depth = field.depth.length - 1;
-    this.probe = field?.sections ? hottestProbe(field.sections) : 0;
+    this.probe = field?.sections ? firstSection(field.sections) : 0;
     this.chainage = field ? (foot ?? warmest(field, 0))?.chainage ?? field.chainage[0] : null;
     const times = [run.all.time[0], end];
     const { whole, shown } = extentsAlong(run);
@@ -53,8 +53,10 @@ class View {
     fill("rail", run.rails.map(({ side }, index) => [index, side]), this.rail, (rail) => { this.rail = rail; this.fillField(); this.rebuild(); });
     fill("wheel", run.wheels.map((wheel, index) => [index, wheelName(wheel)]), this.wheel, (wheel) => { this.wheel = wheel; this.rebuild(); });
     fill("heat-limit", this.limits.map((limit) => [limit, `±${withUnit(limit, "K")}`]), this.heatLimit, (limit) => { this.heatLimit = limit; this.update(); });
-    const probes = [...run.rails[0]?.field?.sections?.chainage ?? []];
-    fill("probe", probes.map((chainage, probe) => [probe, `${chainage.toFixed(2)} m`]), this.probe, (probe) => { this.probe = probe; this.update(); });
+    const { chainage: probes = [], warmest: hasWarmest } = run.rails[0]?.field?.sections ?? {};
+    const places = [...probes].map((chainage, probe) => [probe, `${chainage.toFixed(2)} m`]);
+    if (hasWarmest) places.unshift([WARMEST, "warmest foot"]);
+    fill("probe", places, this.probe, (probe) => { this.probe = probe; this.update(); });
     byId("depth").addEventListener("change", ({ target }) => { this.depth = Number(target.value); this.update(); });
     this.fillField();
     const slider = byId("time");
@@ -84,10 +86,11 @@ class View {
     const times = new Map([[run.all.time.at(-1), "end of the run"]]);
     if (foot) times.set(foot.time, "foot warmest");
     for (const wanted of run.wanted_times) {
-      if (wanted <= last) times.set(wanted, `${wanted} s`);
-      else shortcuts.append(Object.assign(document.createElement("span"), { textContent: `The field ends at ${Number(last.toFixed(3))} s; ${wanted} s was asked for. ` }));
+      if (times.has(wanted)) times.set(wanted, `${wanted} s, ${times.get(wanted)}`);
+      else if (wanted <= last) times.set(wanted, `${wanted} s`);
+      else shortcuts.append(Object.assign(document.createElement("span"), { textContent: `The field ends at ${seconds(last)}; ${wanted} s was asked for. ` }));
     }
-    for (const [time, text] of times) {
+    for (const [time, text] of [...times].sort(([a], [b]) => a - b)) {
       const button = Object.assign(document.createElement("button"), { type: "button", textContent: text });
       button.addEventListener("click", () => this.chooseTime(time));
       shortcuts.append(button);
@@ -143,7 +146,7 @@ class View {
     const { run, time } = this;
     byId("time").value = nearest(run.moments, time);
     const after = time > run.all.time.at(-1) ? ", after the run" : "";
-    byId("time-text").textContent = `${Number(time.toFixed(3))} s${after}`;
+    byId("time-text").textContent = `${seconds(time)}${after}`;
     byId("time").setAttribute("aria-valuetext", byId("time-text").textContent);
     for (const update of this.updates) update();
     this.over.repaint(time);
@@ -160,7 +163,7 @@ class View {
     const { time: times, of } = vehicleOverTime(run, vehicle);
     const at = nearest(times, time);
     const value = (quantity, index) => withUnit(quantity.value[index], quantity.unit);
-    rows.push(["Time of the train", `${Number(times[at].toFixed(3))} s`]);
+    rows.push(["Time of the train", seconds(times[at])]);
     const driver = nearest(run.driver.time, time);
     const speed = run.driver.of.get("velocity").value[driver];
     rows.push(["Leading vehicle", `${speed.toFixed(2)} m/s, ${(3.6 * speed).toFixed(1)} km/h`]);
@@ -183,8 +186,8 @@ class View {
       const foot = snapshot(field, time).rows.at(-1)[nearest(field.chainage, this.chainage)];
       rows.push([`Rise of the foot there`, withUnit(foot, "K")]);
       if (field.sections) {
-        const { rises } = sectionAt(field.sections, this.probe, time);
-        rows.push([`Section at ${field.sections.chainage[this.probe].toFixed(2)} m: warmest`, withUnit(Math.max(...rises), "K")]);
+        const { chainage, rises } = sectionAt(field.sections, this.probe, time);
+        rows.push([`Section at ${chainage.toFixed(2)} m: warmest`, withUnit(Math.max(...rises), "K")]);
       }
     }
     listRows(byId("readout"), rows);

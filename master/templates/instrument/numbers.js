@@ -44,6 +44,11 @@ export function withUnit(value, unit) {
   return `${digits(value / factor)} ${symbol}`.trim();
 }
 
+/** A time in seconds as people read it: to the millisecond, since the page's numbers are in single precision. */
+export function seconds(time) {
+  return `${Number(time.toFixed(3))} s`;
+}
+
 /** The largest size of finite numbers in lists. */
 export function largest(...lists) {
   let size = 0;

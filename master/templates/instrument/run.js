@@ -1,6 +1,6 @@
 // The run as the page has it: tables of what was recorded.
 
-import { largest, nearest, unpacked, unpackedRows } from "./numbers.js";
+import { largest, nearest, seconds, unpacked, unpackedRows } from "./numbers.js";
 
 /** Quantities by their names, with their numbers. */
 function byName(quantities) {
@@ -53,19 +53,29 @@ function readRail({ side, foot, field }) {
   };
 }
 
-function readSections({ size, rise, ...packed }) {
+function readSections({ size, rise, warmest, ...packed }) {
   const lists = Object.fromEntries(Object.entries(packed).map(([name, text]) => [name, unpacked(text)]));
-  return { ...lists, width: size[0], height: size[1], rows: unpackedRows(rise) };
+  return {
+    ...lists, width: size[0], height: size[1], rows: unpackedRows(rise),
+    warmest: warmest && { chainage: unpacked(warmest.chainage), rows: unpackedRows(warmest.rise) },
+  };
 }
 
-/** The section of a probe at the snapshot nearest to `time`: its actual time and the rise of each cell, K. */
-export function sectionAt(sections, probe, time) {
-  const index = nearest(sections.time, time);
-  return { time: sections.time[index], rises: sections.rows[index * sections.chainage.length + probe] };
+/** What stands for a probe where the section is that where the foot is warmest. */
+export const WARMEST = -1;
+
+/** The section of a probe at the snapshot nearest to `time`: its actual time, chainage, and the rise of each cell, K. */
+export function sectionAt({ time: times, chainage, rows, warmest }, probe, time) {
+  const index = nearest(times, time);
+  const of = probe === WARMEST
+    ? { chainage: warmest.chainage[index], rises: warmest.rows[index] }
+    : { chainage: chainage[probe], rises: rows[index * chainage.length + probe] };
+  return { time: times[index], ...of };
 }
 
-/** The probe whose foot becomes warmest: the lowest cells in the middle. */
-export function hottestProbe(sections) {
+/** The section that is shown first: where the foot is warmest, or of the probe whose foot (the lowest cells in the middle) becomes warmest. */
+export function firstSection(sections) {
+  if (sections.warmest) return WARMEST;
   const lowest = Math.max(...sections.z);
   const foot = [...sections.y.keys()].filter((cell) => sections.z[cell] === lowest && Math.abs(sections.y[cell]) <= sections.width);
   const rises = [...sections.chainage].map((_, probe) =>
@@ -111,7 +121,7 @@ export function actualTime(field, time) {
 
 /** What is shown for `time`, with its actual time in words. */
 export function timeInWords(what, actual, time) {
-  const words = `${what} of ${Number(actual.toFixed(3))} s`;
+  const words = `${what} of ${seconds(actual)}`;
   return Math.abs(actual - time) < 1e-3 ? words : `${words}, the nearest that is stored`;
 }
 

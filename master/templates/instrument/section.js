@@ -1,7 +1,7 @@
-// The section of a rail at a probe: the rise of each of its cells, in the colours of the heat map.
+// The section of a rail where its foot is warmest or at a probe: the rise of each of its cells, in the colours of the heat map.
 
 import { withUnit } from "./numbers.js";
-import { sectionAt, timeInWords } from "./run.js";
+import { WARMEST, sectionAt, timeInWords } from "./run.js";
 import { css, diverging, theme } from "./colours.js";
 import { addScale, showScale } from "./heat_map.js";
 
@@ -32,10 +32,11 @@ export function addSection(parent, run, state) {
   });
   canvas.addEventListener("pointerleave", () => { said.textContent = ""; });
   return () => {
-    const { time, rises } = now();
-    const title = `Rise of the section at ${sections.chainage[state.probe].toFixed(2)} m, ${side} rail, seen in the running direction`;
+    const { time, chainage, rises } = now();
+    const [where, kind] = state.probe === WARMEST ? [", where the foot is warmest then", "; the mean of left and right"] : ["", ""];
+    const title = `Rise of the section at ${chainage.toFixed(2)} m${where}, ${side} rail, seen in the running direction`;
     caption.firstChild.textContent = title;
-    caption.lastChild.textContent = timeInWords("section", time, state.time);
+    caption.lastChild.textContent = timeInWords("section", time, state.time) + kind;
     canvas.setAttribute("aria-label", `${title}, from ${withUnit(Math.min(...rises), "K")} to ${withUnit(Math.max(...rises), "K")}`);
     paintSection(canvas, sections, rises, place, names, state.heatLimit);
     showScale(scale, state.heatLimit);

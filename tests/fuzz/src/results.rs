@@ -1,6 +1,6 @@
 //! The results of a run: manifest, tables and their parts, the field of a rail.
 
-use field::{Axes, FieldReader, FieldWriter, Sections};
+use field::{Axes, FieldReader, FieldWriter, SectionRises, Sections};
 use hotfoot::recording::{self, KeyValue, SeriesReader, TRAIN_TABLE};
 use hotfoot::run::expected;
 use hotfoot::run::folder::complete::is_complete;
@@ -76,12 +76,14 @@ fn field(name: &str, bytes: &[u8]) {
     let axes = Axes { chainage: vec![0.5, 1.5], depth: vec![0.001, 0.003], sections };
     let mut writer = FieldWriter::create(&path, &axes, &[]).expect("a field can be written");
     for time in [0.0, 1.0] {
-        writer.append(time, &[0.0, 1.0, 2.0, 3.0], &[0.5]).expect("a snapshot can be written");
+        let sections = SectionRises { kept: vec![0.5], warmest: vec![0.5], warmest_chainage: 1.5 };
+        writer.append(time, &[0.0, 1.0, 2.0, 3.0], &sections).expect("a snapshot can be written");
     }
     scratch.write(&format!("field.zarr/{name}"), bytes);
     let read = || {
         let reader = FieldReader::open(&path)?;
         reader.at_time(0.6)?;
+        reader.warmest_at_time(0.6)?;
         reader.sections_at_time(0.6)
     };
     let _ = read();

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use files::{Check, Mistake};
 use longitudinal::driver::{Driver, check_groups};
+use numerics::seconds;
 use railheat::section::RailFile;
 use railheat::weather::WeatherFile;
 use stock::Library;
@@ -71,8 +72,9 @@ impl TrainFiles<'_> {
         }
         if let Some(end) = driver.recorded_time().filter(|end| *end < duration) {
             notes.push(format!(
-                "{file}: the record that it replays ends after {end} s, the run after {duration} s; the last row \
-                 is held"
+                "{file}: the record that it replays ends after {} s, the run after {duration} s; the last row \
+                 is held",
+                seconds(end)
             ));
         }
         Ok(notes)

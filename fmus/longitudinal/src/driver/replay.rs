@@ -239,7 +239,8 @@ impl ReplayFile {
             }
             if gap > self.longest_gap_s {
                 let wanted = format!(
-                    "a gap of {gap} s before this row is longer than longest_gap_s = {} s of the driver's file",
+                    "a gap of {} s before this row is longer than longest_gap_s = {} s of the driver's file",
+                    numerics::seconds(gap),
                     self.longest_gap_s
                 );
                 return Err(log.error(i, column, wanted));

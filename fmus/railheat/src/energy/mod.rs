@@ -13,7 +13,7 @@
 //! | `elements.rs` | what each element has more than untouched rail |
 //! | `followers.rs` | modes so fast that they follow the heat |
 //! | `along.rs` | conduction along the track |
-//! | `kept_elements.rs`, `sections.rs` | the rise of the whole section at some places |
+//! | `kept_elements.rs`, `sections.rs` | the rise of the whole section at some places, and where the foot is warmest |
 //! | `answer.rs` | highest foot rise, first detection, camera on the train |
 //! | `surroundings.rs` | shade and wind of the train, and weather that has changed |
 //! | `observe.rs` | what is read after each conduction |

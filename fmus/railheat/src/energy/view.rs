@@ -154,6 +154,12 @@ impl HeatModel for EnergyModel {
         values.iter_mut().zip(self.section_rises()).for_each(|(value, rise)| *value = rise as f32);
     }
 
+    fn warmest_section(&self, values: &mut [f32]) -> f64 {
+        let (chainage, rises) = self.warmest_section();
+        values.iter_mut().zip(rises).for_each(|(value, rise)| *value = rise as f32);
+        chainage
+    }
+
     fn rise(&self, element: usize, level: usize) -> f64 {
         self.zone(element).rises[level] + self.excess(element, level)
     }

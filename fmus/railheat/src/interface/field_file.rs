@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use field::{Attribute, Axes, FieldError, FieldWriter, Sections, is_rail_field};
+use field::{Attribute, Axes, FieldError, FieldWriter, SectionRises, Sections, is_rail_field};
 use serde::{Deserialize, Serialize};
 
 use crate::heat_model::HeatModel;
@@ -24,7 +24,7 @@ pub(crate) struct FieldFile {
     /// None until something is written.
     writer: Option<FieldWriter>,
     values: Vec<f32>,
-    sections: Vec<f32>,
+    sections: SectionRises,
 }
 
 /// How far the field has been written.
@@ -45,9 +45,16 @@ impl FieldFile {
         start_time: f64,
         model: &dyn HeatModel,
     ) -> (Self, Result<(), FieldError>) {
-        let of_sections = model.kept_sections().map_or(0, |p| p.chainages.len() * p.cells.len());
+        let sections = model.kept_sections().map_or_else(SectionRises::default, |kept| {
+            let of_one = vec![0.0; kept.cells.len()];
+            SectionRises {
+                kept: of_one.repeat(kept.chainages.len()),
+                warmest: of_one,
+                warmest_chainage: 0.0,
+            }
+        });
         let mut file = Self {
-            sections: vec![0.0; of_sections],
+            sections,
             path: path.to_owned(),
             interval,
             start_time,
@@ -97,7 +104,8 @@ impl FieldFile {
             return Ok(());
         }
         model.snapshot(&mut self.values);
-        model.sections(&mut self.sections);
+        model.sections(&mut self.sections.kept);
+        self.sections.warmest_chainage = model.warmest_section(&mut self.sections.warmest);
         let writer = match &mut self.writer {
             Some(writer) => writer,
             none => none.insert(match self.written.snapshots {

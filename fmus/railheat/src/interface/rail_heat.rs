@@ -5,6 +5,7 @@ use std::path::Path;
 
 use field::FieldError;
 use fmu::{Declaration, Identity, Interval, Log, Model, ModelError, Values, Variables};
+use numerics::seconds;
 use serde::{Deserialize, Serialize};
 
 use super::build::build;
@@ -165,10 +166,11 @@ impl RailHeat {
     fn warning_of_stray(&self, signals: &Signals, stray: Stray, time: f64) -> String {
         let line = self.model.line();
         format!(
-            "{} is at chainage {:.1} m at {time:.3} s, outside the modelled track from {} m to {} m; \
+            "{} is at chainage {:.1} m at {} s, outside the modelled track from {} m to {} m; \
              wheels heat nothing there (one warning a run)",
             signals.wheel_names[stray.wheel],
             stray.position,
+            seconds(time),
             line.begin,
             line.end()
         )

@@ -7,6 +7,7 @@ use railheat::contact::{Material, Wheel};
 use railheat::energy::{EnergyModel, Parameters, Resolution};
 use railheat::line::Line;
 use railheat::section::Cell;
+use railheat::weather::Weather;
 
 use crate::common::SPEED;
 use crate::energy_common::{
@@ -213,4 +214,62 @@ fn property_a_section_that_is_kept_changes_no_element() {
         }
     }
     assert_eq!(kept.ledger(), without.ledger());
+}
+
+/// What is read of the foot in the rises of a section: 9/8 of the lowest row's middle less 1/8 of the next one's.
+fn foot_of(cells: &[Cell], rises: &[f64]) -> f64 {
+    let last = cells.iter().map(|cell| cell.row).max().unwrap();
+    let middle = |row: usize| {
+        let in_row = || cells.iter().zip(rises).filter(move |(cell, _)| cell.row == row);
+        let nearest = in_row().map(|(cell, _)| cell.middle.y.abs()).fold(f64::INFINITY, f64::min);
+        let middle: Vec<f64> = in_row()
+            .filter(|(cell, _)| cell.middle.y.abs() < nearest + 1e-9)
+            .map(|(_, rise)| *rise)
+            .collect();
+        middle.iter().sum::<f64>() / middle.len() as f64
+    };
+    9.0 / 8.0 * middle(last) - middle(last - 1) / 8.0
+}
+
+/// The section where the foot is warmest has the foot's rise that is recorded, to rounding, and is the mean of
+/// left and right of the section that is kept at the same element with all its modes: to rounding too, in the
+/// sum of both sides. The train's wheels touch the rail aside and at night, so that all that differs between the sides
+/// is theirs: half of the section's highest rise at once, 2e-7 of it after ten minutes.
+#[test]
+fn property_the_warmest_section_has_the_foots_rise_and_no_side() {
+    let base = || Parameters { shortest: 0.0, ..all_effects(outline("60E1"), Resolution::Plane) };
+    let dark = Weather { direct: 0.0, ..DAY };
+    let after = |place: usize, rest: u32| {
+        let mut model = energy(base(), &[2, 2], &dark);
+        model.keep_sections(&[place], true);
+        run(&mut model, &dark, train(0.012), 0.0, 300, 0.01);
+        run(&mut model, &dark, |_| vec![Wheel::default(); 4], 3.0, rest, 1.0);
+        model
+    };
+    for (rest, [least, most]) in [(0, [0.1, 1.0]), (600, [0.0, 1e-5])] {
+        let present = after(PLACE, rest).answer().present;
+        let model = after(base().line.element(present.chainage).unwrap(), rest);
+        let (chainage, rises) = model.warmest_section();
+        assert_eq!(chainage, present.chainage);
+        let cells = cells(&model);
+        let element = model.line().element(chainage).unwrap();
+        let (foot, recorded) = (foot_of(&cells, &rises), model.rise(element, model.levels() - 1));
+        assert!((foot / recorded - 1.0).abs() < 1e-9, "{foot} of {recorded} K");
+        let kept = model.section_rises();
+        let largest = kept.iter().copied().fold(0.0, f64::max);
+        let mut uneven = 0.0_f64;
+        for (cell, rise) in cells.iter().zip(&rises) {
+            let mirrored = cells.iter().position(|other| {
+                (other.middle.y + cell.middle.y).abs() < 1e-9
+                    && (other.middle.z - cell.middle.z).abs() < 1e-9
+            });
+            let own = cells.iter().position(|other| other == cell).unwrap();
+            let sides = [own, mirrored.expect("the section is symmetric")].map(|i| kept[i]);
+            let mean = 0.5 * (sides[0] + sides[1]);
+            assert!((rise - mean).abs() < 1e-9 * largest, "{rise} of {mean} K at {cell:?}");
+            uneven = uneven.max((sides[0] - mean).abs() / largest);
+        }
+        println!("{rest} s: foot {recorded:.3e} K, sides differ from their mean by {uneven:.1e}");
+        assert!((least..=most).contains(&uneven), "{uneven} after {rest} s");
+    }
 }

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::Path;
 
+use numerics::seconds;
+
 use super::files::Reference;
 use super::table::{Signal, Table};
 use super::{ReferenceError, run};
@@ -35,8 +37,9 @@ impl fmt::Display for Agreement {
         let Self { signals, rows, stop_time, worst, left_out } = self;
         write!(
             f,
-            "{signals} signals over {stop_time} s ({rows} rows) are those of the reference result; \
-             the largest difference is {worst:.1e}"
+            "{signals} signals over {} s ({rows} rows) are those of the reference result; \
+             the largest difference is {worst:.1e}",
+            seconds(*stop_time)
         )?;
         match left_out.is_empty() {
             true => Ok(()),
@@ -76,7 +79,7 @@ pub fn compare(fmu: &Path) -> Result<Verdict, ReferenceError> {
         };
         problems.push(format!(
             "`{name}` is {own} at {} s, but was {then} when the FMU was made{by}",
-            now.times[row]
+            seconds(now.times[row])
         ));
     }
     let (signals, rows) = (now.signals.len(), now.times.len());
@@ -92,8 +95,8 @@ fn wrong_times(now: &Table, then: &Table) -> Option<String> {
     let same = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME_TIME * b.abs().max(1.0);
     let common = now.times.iter().zip(&then.times).take_while(|(a, b)| same((a, b))).count();
     let at = |times: &[f64]| match times.get(common) {
-        Some(time) => format!("goes on at {time} s"),
-        None => format!("ends at {} s", times.last().copied().unwrap_or_default()),
+        Some(time) => format!("goes on at {} s", seconds(*time)),
+        None => format!("ends at {} s", times.last().copied().map_or(0.0, seconds)),
     };
     (common < now.times.len().max(then.times.len())).then(|| {
         format!(

@@ -3,11 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use files::{Document, Mistake};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use super::ReferenceError;
-use crate::files::file_error::FileError;
 
 /// By how much a value may differ where the FMU does not say, in parts of the largest magnitude of
 /// its signal: what solvers with another step may differ by.
@@ -37,20 +35,18 @@ impl Experiment {
     ///
     /// # Errors
     /// When the file cannot be read, or makes no sense.
-    pub fn read(file: &Path) -> Result<Self, ReferenceError> {
-        let text = std::fs::read_to_string(file).map_err(FileError::at(file))?;
-        let experiment: Self =
-            toml::from_str(&text).map_err(|error| ReferenceError::content(file, error))?;
-        let positive = |value: f64| value > 0.0 && value.is_finite();
+    pub fn read(file: &Path) -> Result<Self, Mistake> {
+        let document = Document::read(file)?;
+        let experiment: Self = document.parse()?;
+        let check = document.check();
         let Self { stop_time_s, step_s, record_every, relative_tolerance, .. } = experiment;
-        if !(positive(stop_time_s) && positive(step_s) && record_every > 0) {
-            let problem = "stop_time_s, step_s and record_every must be greater than zero";
-            return Err(ReferenceError::content(file, problem));
-        }
-        if !positive(relative_tolerance) {
-            let problem = "relative_tolerance must be greater than zero";
-            return Err(ReferenceError::content(file, problem));
-        }
+        check.positive("stop_time_s", stop_time_s)?;
+        check.positive("step_s", step_s)?;
+        let wanted = format!("must be at most stop_time_s = {stop_time_s} s");
+        check.ensure(step_s <= stop_time_s, "step_s", step_s, &wanted)?;
+        let wanted = "must be 1 or more: steps between two rows of the result";
+        check.ensure(record_every > 0, "record_every", record_every, wanted)?;
+        check.positive("relative_tolerance", relative_tolerance)?;
         Ok(experiment)
     }
 
@@ -103,17 +99,54 @@ mod tests {
         assert_eq!(read(&with_start).unwrap().start_values["e"], 0.7);
     }
 
+    /// The whole message, as of every file that people write.
+    #[test]
+    fn a_mistake_in_an_experiment_is_told_with_its_place() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("experiment.toml");
+        std::fs::write(&file, EXPERIMENT.replace("record_every = 100", "record_every = 0"))
+            .unwrap();
+        let message = Experiment::read(&file).unwrap_err().to_string();
+        let wanted = format!(
+            "{}:3:16: record_every = 0: must be 1 or more: steps between two rows of the result\n  |\n\
+             3 | record_every = 0\n  |                ^",
+            file.display()
+        );
+        assert_eq!(message, wanted);
+    }
+
     #[test]
     fn an_experiment_that_makes_no_sense_is_refused_by_its_key() {
-        for (from, to, part) in [
-            ("step_s = 0.001", "step_s = 0.0", "step_s"),
-            ("stop_time_s = 2.0", "stop_time_s = -1.0", "stop_time_s"),
-            ("record_every = 100", "record_every = 0", "record_every"),
-            ("relative_tolerance = 1e-6", "relative_tolerance = inf", "relative_tolerance"),
-            ("stop_time_s = 2.0", "stop_time = 2.0", "stop_time"),
+        for (from, to, wanted) in [
+            ("step_s = 0.001", "step_s = 0.0", ":2:10: step_s = 0.0: must be greater than zero"),
+            (
+                "step_s = 0.001",
+                "step_s = 3",
+                ":2:10: step_s = 3: must be at most stop_time_s = 2 s",
+            ),
+            (
+                "stop_time_s = 2.0",
+                "stop_time_s = -1.0",
+                ":1:15: stop_time_s = -1.0: must be greater than zero",
+            ),
+            (
+                "relative_tolerance = 1e-6",
+                "relative_tolerance = inf",
+                ":4:22: relative_tolerance = inf: must be greater than zero",
+            ),
+            ("stop_time_s = 2.0", "stop_time = 2.0", ":1:1: there is no key `stop_time`"),
+            ("step_s = 0.001\n", "", "step_s"),
+            ("step_s = 0.001", "step_s = \"1 ms\"", ":2:10: step_s = \"1 ms\": must be a number"),
+            (
+                "record_every = 100",
+                "record_every = 0.1",
+                ":3:16: record_every = 0.1: must be a whole number",
+            ),
+            ("[\"h\", \"v\"]", "\"h\"", ":5:11: outputs = \"h\": must be a list"),
         ] {
+            assert!(EXPERIMENT.contains(from), "{from}");
             let error = read(&EXPERIMENT.replace(from, to)).unwrap_err();
-            assert!(error.contains(part), "{to}: {error}");
+            assert!(error.contains(wanted), "{to}: {error}");
         }
     }
 

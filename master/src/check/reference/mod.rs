@@ -38,6 +38,9 @@ pub enum ReferenceError {
     /// A file cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// The experiment cannot be read, or makes no sense.
+    #[error(transparent)]
+    Experiment(#[from] ::files::Mistake),
     /// A file does not hold what it should.
     #[error("{file}: {problem}")]
     Content {

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::along::along_rails;
 use super::comparison::{Compared, Comparison};
 use super::curves::Thinning;
 use super::error::CompareError;
@@ -45,7 +46,7 @@ pub fn compare(
             let mut of_others = vec![];
             for (other, compared) in others.iter().zip(&mut compared) {
                 let Some(found) = other.curves(&table.name, &column)? else {
-                    if other.is_run() {
+                    if other.run().is_some() {
                         compared.only_in_first.push(format!("{}.{column}", table.name));
                     }
                     of_others.push(None);
@@ -70,5 +71,7 @@ pub fn compare(
         let (first, other) = (first.about.name.clone(), empty.with.name.clone());
         return Err(CompareError::Nothing { first, other });
     }
-    Ok(Comparison { first: first.about, compared, curves: thinning.most_different(curves) })
+    let along = along_rails(&first, &others.iter().map(Subject::run).collect::<Vec<_>>())?;
+    let curves = thinning.most_different(curves);
+    Ok(Comparison { first: first.about, compared, curves, along })
 }

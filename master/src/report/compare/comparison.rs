@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::about::About;
+use super::along::AlongRail;
 use super::curves::Curve;
 use super::errors::ColumnErrors;
 use super::field_errors::FieldErrors;
@@ -17,6 +18,8 @@ pub struct Comparison {
     pub compared: Vec<Compared>,
     #[serde(skip)]
     pub(super) curves: Vec<Curve>,
+    #[serde(skip)]
+    pub(super) along: Vec<AlongRail>,
 }
 
 /// One of the others with what differs from the first.

@@ -94,8 +94,8 @@ fn row<'c>(curves: &'c Curves, row: &str) -> Option<&'c [f64]> {
     found.map(|(_, values)| values.as_slice())
 }
 
-/// The values of another curve at these times, not-a-number before its begin and behind its end.
-fn at(times: &[f64], own: &[f64], values: &[f64]) -> Vec<f64> {
+/// The values of another curve at these times (or chainages), not-a-number beyond its ends.
+pub(super) fn at(times: &[f64], own: &[f64], values: &[f64]) -> Vec<f64> {
     let grid = Grid::at(times, own);
     let is_within = |time: &f64| {
         let room = 1e-9 * time.abs().max(1.0);

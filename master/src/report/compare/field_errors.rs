@@ -1,11 +1,11 @@
 //! Error measures of a field.
 
 use field::FieldError;
+use numerics::seconds;
 use serde::Serialize;
 
 use super::errors::difference;
 use super::texts::{percent, shown};
-use crate::report::quantity::seconds;
 
 /// How far a variable of a field is from that of another run.
 ///
@@ -92,7 +92,10 @@ impl FieldErrors {
     pub fn position(&self) -> String {
         let beside = match self.lateral_m {
             None => String::new(),
-            Some(lateral) => format!(", {:.0} mm to the right of the middle", 1e3 * lateral),
+            Some(lateral) => {
+                let side = if lateral < 0.0 { "left" } else { "right" };
+                format!(", {:.0} mm to the {side} of the middle", 1e3 * lateral.abs())
+            }
         };
         let (depth, at) = (1e3 * self.depth_m, seconds(self.at_s));
         format!("chainage {:.1} m, {depth:.0} mm deep{beside}, at {at} s", self.chainage_m)

@@ -69,6 +69,9 @@ impl Fields {
         }
         match (&first.axes().sections, &other.axes().sections) {
             (None, None) => {}
+            // The sections where the feet are warmest are of other places.
+            (Some(own), Some(others))
+                if own.chainage.is_empty() && others.chainage.is_empty() => {}
             (Some(own), Some(others)) if are_same(own, others) => {
                 let positions = section_positions(own);
                 let name = (name, "section_rise");
@@ -85,7 +88,8 @@ impl Fields {
     }
 }
 
-fn names(run: &Run) -> Result<Vec<String>, CompareError> {
+/// Names of the fields of a run.
+pub(super) fn names(run: &Run) -> Result<Vec<String>, CompareError> {
     let fields = fields_in(&run.folder).map_err(FileError::at(&run.folder))?;
     Ok(fields.iter().filter_map(|path| Some(path.file_name()?.to_str()?.to_owned())).collect())
 }

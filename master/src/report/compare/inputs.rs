@@ -6,6 +6,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use numerics::seconds;
 use serde::Serialize;
 use zip::ZipArchive;
 
@@ -41,8 +42,8 @@ impl fmt::Display for InputDifference {
 /// The inputs of two runs that differ, each once.
 pub(super) fn differences(first: &Run, other: &Run) -> Result<Vec<InputDifference>, CompareError> {
     let mut all = of_toml("scenario.toml", &first.provenance.scenario, &other.provenance.scenario);
-    let step = |run: &Run| run.step.map(|step| format!("{step} s"));
-    let simulated = |run: &Run| Some(format!("{} s", run.provenance.simulated_s));
+    let step = |run: &Run| run.step.map(|step| format!("{} s", seconds(step)));
+    let simulated = |run: &Run| Some(format!("{} s", seconds(run.provenance.simulated_s)));
     all.extend(value("run", "step of the exchange", step(first), step(other)));
     all.extend(value("run", "simulated time", simulated(first), simulated(other)));
     let version = |run: &Run| Some(run.about.version.clone());

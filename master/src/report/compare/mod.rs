@@ -12,10 +12,12 @@
 //! | `errors.rs`, `texts.rs` | error measures of a column, and as people read them |
 //! | `fields.rs`, `field_errors.rs` | the temperature fields of the rails of two runs |
 //! | `curves.rs` | the curves that the page shows |
+//! | `along.rs` | surface and foot along the rails, which the page shows |
 //! | `page.rs` | the page, from `templates/compare.html` |
 //! | `error.rs` | why results cannot be compared |
 
 mod about;
+mod along;
 mod collect;
 mod comparison;
 mod curves;

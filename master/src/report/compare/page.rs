@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
+use numerics::seconds;
 use serde::Serialize;
 
 use super::about::About;
+use super::along::AlongRail;
 use super::comparison::Comparison;
 use super::curves::Curve;
 use super::error::CompareError;
@@ -16,7 +18,6 @@ use super::texts::{percent, shown};
 use crate::files::file_error::write_whole;
 use crate::report::error::ReportError;
 use crate::report::page::fill;
-use crate::report::quantity::seconds;
 use crate::report::script;
 
 /// All that the template shows.
@@ -81,6 +82,7 @@ struct FieldLine<'a> {
 struct Numbers<'a> {
     names: Vec<&'a str>,
     curves: &'a [Curve],
+    along: &'a [AlongRail],
 }
 
 /// Writes the page with the curves.
@@ -96,7 +98,7 @@ pub fn write_page(comparison: &Comparison, file: &Path) -> Result<(), CompareErr
 /// # Errors
 /// When the template has an error.
 fn render(comparison: &Comparison) -> Result<String, ReportError> {
-    let Comparison { first, compared, curves } = comparison;
+    let Comparison { first, compared, curves, along } = comparison;
     let others = compared.iter().map(|compared| Other {
         about: &compared.with,
         sentence: sentence(&compared.columns),
@@ -109,7 +111,8 @@ fn render(comparison: &Comparison) -> Result<String, ReportError> {
         only_in_other: &compared.only_in_other,
     });
     let all: Vec<&About> = [first].into_iter().chain(compared.iter().map(|c| &c.with)).collect();
-    let numbers = Numbers { names: all.iter().map(|about| about.name.as_str()).collect(), curves };
+    let names = all.iter().map(|about| about.name.as_str()).collect();
+    let numbers = Numbers { names, curves, along };
     let numbers = serde_json::to_string(&numbers).expect("numbers and texts are JSON");
     let columns = compared.iter().map(|compared| compared.columns.len()).max().unwrap_or(0);
     fill(

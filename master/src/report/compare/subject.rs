@@ -30,8 +30,12 @@ impl Subject {
         }
     }
 
-    pub fn is_run(&self) -> bool {
-        matches!(self, Self::Run(_))
+    /// The run, if it is one.
+    pub fn run(&self) -> Option<&Run> {
+        match self {
+            Self::Run(run) => Some(run),
+            Self::Measurement(_) => None,
+        }
     }
 
     pub fn about(&self) -> About {

@@ -7,6 +7,8 @@ pub(super) fn shown(value: f64, unit: &str) -> String {
     match unit {
         _ if !value.is_finite() => "–".to_owned(),
         "1" | "" => significant(value),
+        // A prefix would stand before the 1.
+        unit if unit.starts_with("1/") => format!("{} {unit}", significant(value)),
         unit => with_unit(value, unit),
     }
 }
@@ -29,7 +31,8 @@ pub(super) fn percent(part: f64) -> String {
         false => "–".to_owned(),
         true if part == 0.0 => "0 %".to_owned(),
         true if part < 1e-4 => format!("{:.1e} %", 100.0 * part),
-        true => format!("{:.3} %", 100.0 * part),
+        true if part < 0.1 => format!("{:.3} %", 100.0 * part),
+        true => format!("{:.1} %", 100.0 * part),
     }
 }
 
@@ -43,7 +46,9 @@ mod tests {
         assert_eq!(shown(0.001234, "1"), "0.00123");
         assert_eq!(shown(12.0, "1"), "12.0");
         assert_eq!(shown(f64::INFINITY, "N"), "–");
+        assert_eq!(shown(-0.227, "1/m"), "-0.227 1/m");
         assert_eq!(percent(0.0), "0 %");
+        assert_eq!(percent(1.566_4), "156.6 %");
         assert_eq!(percent(0.012345), "1.234 %");
         assert_eq!(percent(1e-7), "1.0e-5 %");
     }

@@ -10,7 +10,7 @@
 //! | `wheels.rs` | the recorded wheels |
 //! | `outputs.rs` | further outputs of the recorded vehicles |
 //! | `rail.rs` | temperature field and foot of a rail |
-//! | `sections.rs` | the whole section of a rail at its probes |
+//! | `sections.rs` | the whole section of a rail where its foot is warmest, and at its probes |
 //!
 //! Everything is in SI units; the page chooses the units that people read.
 
@@ -100,17 +100,22 @@ impl Instrument {
         if let Some(rail_facts) = &facts.rails {
             for (rail, store) in rails.iter().zip(&rail_facts.fields) {
                 let store = folder.join(store);
-                let wanted = &facts.heat_maps_at_s;
+                let warmest = sections::warmest_foot(rail).and_then(|figure| figure.time_s);
+                let wanted: Vec<f64> =
+                    facts.heat_maps_at_s.iter().copied().chain(warmest).collect();
                 // A field that was damaged, as by a full disk, must not cost the rest of the report.
                 let field = match store.is_dir() {
-                    true => rail::Field::read(&store, wanted, rails.len()),
+                    true => rail::Field::read(&store, &wanted, rails.len()),
                     false => Ok(None),
                 };
                 let field = field.unwrap_or_else(|error| {
                     unread.push(format!("{error}; the report goes without it"));
                     None
                 });
-                if let Some(field) = &field {
+                let has_warmest = |field: &rail::Field| {
+                    field.sections.as_ref().is_some_and(sections::Sections::has_warmest)
+                };
+                if let Some(field) = field.as_ref().filter(|field| !has_warmest(field)) {
                     let elsewhere = sections::elsewhere(rail, &field.probes, field.element_length);
                     sections_elsewhere.extend(elsewhere);
                 }

@@ -56,8 +56,8 @@ pub(super) struct Field {
     depth: Packed,
     /// Rise above the initial state, K: a row for each time and depth, with its columns.
     rise: PackedRows,
-    /// The whole section at the probes, where it was kept.
-    sections: Option<Sections>,
+    /// The whole section where the foot is warmest and at the probes, of rails that have one.
+    pub sections: Option<Sections>,
     /// Chainage of these probes, m.
     #[serde(skip)]
     pub probes: Vec<f64>,

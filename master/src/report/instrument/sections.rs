@@ -1,14 +1,14 @@
-//! The section of a rail at its probes.
+//! The section of a rail where its foot is warmest, and at its probes.
 
 use field::{FieldError, FieldReader};
 use serde::Serialize;
 
 use super::decimate::Picks;
 use super::packed::{Packed, PackedRows};
-use crate::report::data::RailData;
+use crate::report::data::{MainFigure, RailData};
 
 /// Numbers that the sections of all rails may take.
-const BUDGET: usize = 45_000;
+const BUDGET: usize = 90_000;
 
 /// Middles that differ by no more than this are the same, m.
 const SAME: f64 = 1e-9;
@@ -28,9 +28,25 @@ pub(super) struct Sections {
     size: [f64; 2],
     /// Rise above the initial state, K: a row for each time and probe, with its cells.
     rise: PackedRows,
+    /// The section where the foot is warmest, where the store has it.
+    warmest: Option<Warmest>,
+}
+
+/// The section where the foot is warmest at each time, the mean of left and right.
+#[derive(Debug, Clone, Serialize)]
+struct Warmest {
+    /// Chainage at each time, m.
+    chainage: Packed,
+    /// Rise above the initial state, K: a row for each time, with its cells.
+    rise: PackedRows,
 }
 
 impl Sections {
+    /// Whether the section where the foot is warmest is there.
+    pub fn has_warmest(&self) -> bool {
+        self.warmest.is_some()
+    }
+
     /// Reads the sections of one of so many rails, those nearest to the wanted times among them;
     /// `None` where none were kept.
     pub fn read(
@@ -41,15 +57,22 @@ impl Sections {
         let (Some(sections), times) = (&reader.axes().sections, reader.times()) else {
             return Ok(None);
         };
-        let most = BUDGET / (sections.values() * rails.max(1)).max(1);
+        let values = sections.values() + sections.y.len();
+        let most = BUDGET / (values * rails.max(1)).max(1);
         let most = most.saturating_sub(wanted.len()).clamp(2, 200);
         let picks = Picks::of(times.len(), most).with_nearest(times, wanted);
-        let mut rows = vec![];
+        let (mut rows, mut chainages, mut of_warmest) = (vec![], vec![], vec![]);
+        let numbers = |rises: Vec<f32>| rises.into_iter().map(f64::from).collect::<Vec<_>>();
         for time in picks.values(times) {
-            let rises: Vec<f64> =
-                reader.sections_at_time(time)?.into_iter().map(f64::from).collect();
+            let rises = numbers(reader.sections_at_time(time)?);
             rows.extend(rises.chunks(sections.y.len().max(1)).map(<[f64]>::to_vec));
+            if let Some(warmest) = reader.warmest_at_time(time)? {
+                chainages.push(warmest.chainage);
+                of_warmest.push(numbers(warmest.rise));
+            }
         }
+        let warmest = (!chainages.is_empty())
+            .then(|| Warmest { chainage: Packed::of(chainages), rise: PackedRows::of(of_warmest) });
         let packed = |values: &[f64]| Packed::of(values.iter().copied());
         Ok(Some(Self {
             time: Packed::of(picks.values(times)),
@@ -58,14 +81,14 @@ impl Sections {
             z: packed(&sections.z),
             size: [spacing(&sections.y), spacing(&sections.z)],
             rise: PackedRows::of(rows),
+            warmest,
         }))
     }
 }
 
 /// Says where the sections are, and how one comes to where the foot is warmest, if none was kept there.
 pub(super) fn elsewhere(rail: &RailData, probes: &[f64], element_length: f64) -> Option<String> {
-    let key = format!("{}.foot.highest", rail.side);
-    let warmest = rail.figures.iter().find(|figure| figure.key == key)?.chainage_m?;
+    let warmest = warmest_foot(rail)?.chainage_m?;
     if probes.iter().any(|probe| (probe - warmest).abs() <= element_length) {
         return None;
     }
@@ -79,6 +102,12 @@ pub(super) fn elsewhere(rail: &RailData, probes: &[f64], element_length: f64) ->
          among the probes of the scenario (heat.probe) keeps the one there, with section.model = \"2d\".",
         rail.side
     ))
+}
+
+/// What the report says of the warmest foot of a rail.
+pub(super) fn warmest_foot(rail: &RailData) -> Option<&MainFigure> {
+    let key = format!("{}.foot.highest", rail.side);
+    rail.figures.iter().find(|figure| figure.key == key)
 }
 
 /// The least distance between middles of cells that differ; zero if all are the same.

@@ -87,6 +87,13 @@ fn analytic_the_sections_are_those_of_the_store() {
     let last = i16::from_le_bytes([steps[22], steps[23]]);
     let rise = f32::from(last) * floats(&sections["rise"]["step"])[3];
     assert!((rise - 5.0).abs() < 1e-3, "{rise}");
+    // Where the foot is warmest the last cell has 2.5 K and then 5 K.
+    let warmest = &sections["warmest"];
+    assert_eq!(floats(&warmest["chainage"]), [94.0, 99.0]);
+    let steps = STANDARD.decode(warmest["rise"]["steps"].as_str().unwrap()).unwrap();
+    let rises = [4, 10].map(|at| f32::from(i16::from_le_bytes([steps[at], steps[at + 1]])));
+    let steps = floats(&warmest["rise"]["step"]);
+    assert!((rises[0] * steps[0] - 2.5).abs() < 1e-3 && (rises[1] * steps[1] - 5.0).abs() < 1e-3);
 }
 
 /// What was run without rails or vehicles in three dimensions has neither, and a page cannot be ended by a text.

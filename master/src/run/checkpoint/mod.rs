@@ -27,6 +27,8 @@ mod state;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use numerics::seconds;
+
 pub use error::CheckpointError;
 pub use file::{from_bytes, to_bytes};
 pub use order::{Order, Subject};
@@ -136,7 +138,7 @@ pub fn resume(order: &Order) -> Result<Beginning, CheckpointError> {
                 continue;
             }
         };
-        notes.push(format!("the run goes on from {} s", state.time));
+        notes.push(format!("the run goes on from {} s", seconds(state.time)));
         checkpoints.plan(state.time);
         let state = Some(state);
         return Ok(Beginning { checkpoints: Some(checkpoints), state, notes });

@@ -1,5 +1,7 @@
 //! Why a system cannot be opened, or a step or a request failed.
 
+use numerics::seconds;
+
 use crate::files::file_error::FileError;
 use crate::run::after::StepFailure;
 use crate::run::error::RunError;
@@ -12,7 +14,7 @@ pub enum OpenSystemError {
     #[error(transparent)]
     Run(#[from] RunError),
     /// A unit failed in a step.
-    #[error("at {time} s: {source}")]
+    #[error("at {} s: {source}", seconds(*time))]
     Step {
         /// Time at which the step began, s.
         time: f64,

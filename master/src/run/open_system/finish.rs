@@ -2,6 +2,8 @@
 
 use std::mem;
 
+use numerics::seconds;
+
 use super::{Folder, OpenSystem, OpenSystemError};
 use crate::run::after::FailedStep;
 use crate::run::folder::claim::release;
@@ -48,7 +50,7 @@ impl OpenSystem {
     ) -> Result<(), OpenSystemError> {
         let Self { setup, started, workplace, set, folder, finished, .. } = self;
         *finished = true;
-        let since = |(name, time): (&String, &f64)| format!("{name} (from {time} s)");
+        let since = |(name, time): (&String, &f64)| format!("{name} (from {} s)", seconds(*time));
         if !set.is_empty() {
             let inputs = set.iter().map(since).collect::<Vec<_>>().join(", ");
             let sentence = format!("the program that stepped the system has set {inputs}");

@@ -20,6 +20,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 pub use error::OpenSystemError;
+use numerics::seconds;
 use signal::Signals;
 use tempfile::TempDir;
 
@@ -152,14 +153,14 @@ impl OpenSystem {
         if *failed {
             return Err(OpenSystemError::Request(format!(
                 "the step from {} s has failed; restore a state that was saved before, or open the system anew",
-                setup.system.clock.at(*done)
+                seconds(setup.system.clock.at(*done))
             )));
         }
         if steps > setup.steps - *done {
             return Err(OpenSystemError::Request(format!(
                 "the system ends at {} s, which is {} steps from here, and not {steps}; open it with a longer \
                  duration",
-                setup.stop,
+                seconds(setup.stop),
                 setup.steps - *done
             )));
         }

@@ -1,5 +1,7 @@
 //! The state of an open system: saved, and gone on from.
 
+use numerics::seconds;
+
 use super::{OpenSystem, OpenSystemError};
 use crate::run::checkpoint::{Reached, RunState, from_bytes, to_bytes};
 use crate::run::setup::Setup;
@@ -54,7 +56,10 @@ impl OpenSystem {
             return Err(wrong("it has other components"));
         };
         if reached > *steps {
-            return Err(wrong(&format!("it is at {} s, and this one ends before", state.time)));
+            return Err(wrong(&format!(
+                "it is at {} s, and this one ends before",
+                seconds(state.time)
+            )));
         }
         // Some units may have taken it when another refuses.
         *failed = true;

@@ -72,7 +72,7 @@ const FORBIDDEN: &[Forbidden] = &[
     },
     Forbidden {
         packages: &["crates/fmu"],
-        dependencies: &[&["track", "stock", "contact", "field", "numerics", "controller"], OUTSIDE],
+        dependencies: &[&["track", "stock", "contact", "field", "controller"], OUTSIDE],
         reason: "the export of FMUs knows no trains",
     },
     Forbidden {

@@ -39,8 +39,8 @@ pub(super) fn location(document: &Document) -> Result<([f64; 2], TimeDelta), Mis
     Ok((site.map(f64::to_radians), TimeDelta::seconds((3600.0 * zone).round() as i64)))
 }
 
-/// Each hour must have one row.
-pub(super) fn check_periods(document: &Document) -> Result<(), Mistake> {
+/// Number of rows that each hour has.
+pub(super) fn rows_per_hour(document: &Document) -> Result<u32, Mistake> {
     let names = ["DATA PERIODS", "number of periods", "rows an hour"];
     let table = Table::without_names(document, PERIODS..HEADER, &names)?;
     if table.is_empty() || table.text(0, 0) != names[0] {
@@ -50,8 +50,9 @@ pub(super) fn check_periods(document: &Document) -> Result<(), Mistake> {
         );
         return Err(Mistake::in_file(document.name(), sentence));
     }
-    match table.text(0, 2) {
-        "1" => Ok(()),
-        _ => Err(table.error(0, 2, "must be 1: a row an hour")),
-    }
+    let rows: Option<u32> = table.text(0, 2).parse().ok();
+    rows.filter(|rows| (1..=60).contains(rows) && 60 % rows == 0).ok_or_else(|| {
+        let wanted = "must be a whole number of which 60 is a multiple, such as 1 or 4";
+        table.error(0, 2, wanted)
+    })
 }

@@ -13,7 +13,7 @@ pub enum WeatherFileError {
     #[error(
         "weather_file {file} has weather from {first} s to {last} s, but the run needs {} s; it must cover \
          all of the run, the time after the train included",
-        (1e3 * time).round() / 1e3
+        asked(*time)
     )]
     NotCovered {
         /// File name.
@@ -25,17 +25,17 @@ pub enum WeatherFileError {
         /// Time wanted, s.
         time: f64,
     },
-    /// The file lacks an hour.
+    /// The file lacks an interval.
     #[error(
-        "weather_file {file} has no row for the hour that begins on {}, standard time of its site, which \
+        "weather_file {file} has no row for the interval that begins on {}, standard time of its site, which \
          the run needs at {} s; take a file of the whole year",
         missing.format("%d %B at %H:%M"),
-        (1e3 * time).round() / 1e3
+        asked(*time)
     )]
     NoSuchHour {
         /// File name.
         file: String,
-        /// Begin of the hour.
+        /// Begin of the interval.
         missing: NaiveDateTime,
         /// Time wanted, s.
         time: f64,
@@ -49,4 +49,9 @@ pub enum WeatherFileError {
         /// File name.
         file: String,
     },
+}
+
+/// A time that is asked for, to the millisecond: the stop time is asked for with a margin of 1e-9 of it.
+fn asked(time: f64) -> f64 {
+    (1e3 * time).round() / 1e3
 }

@@ -3,7 +3,7 @@
 //! | file | part |
 //! |---|---|
 //! | `rows.rs` | CSV with the times of the simulation, linear between its rows |
-//! | `epw.rs`, `epw_header.rs` | weather files of EnergyPlus, the hours of a typical year |
+//! | `epw.rs`, `epw_header.rs` | weather files of EnergyPlus, the hours of a typical year, or shorter intervals |
 //! | `sample.rs` | what a file says of a time |
 //! | `columns.rs` | the columns, and what is possible in them |
 //! | `error.rs` | why a file cannot be used |
@@ -13,6 +13,8 @@
 mod columns;
 mod epw;
 mod epw_header;
+#[cfg(test)]
+mod epw_tests;
 mod error;
 mod rows;
 mod sample;

@@ -1,9 +1,11 @@
 //! What a field must hold on disk.
 
+mod sections;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use field::{Attribute, Axes, FieldError, FieldReader, FieldWriter, Sections};
+use field::{Attribute, Axes, FieldError, FieldReader, FieldWriter, SectionRises};
 
 /// More elements than one chunk has, and not a multiple of it.
 fn axes() -> Axes {
@@ -12,22 +14,6 @@ fn axes() -> Axes {
         depth: (0..5).map(|j| 0.0025 + 0.005 * f64::from(j)).collect(),
         sections: None,
     }
-}
-
-/// The same with two sections of three cells.
-fn axes_with_sections() -> Axes {
-    let sections = Sections {
-        chainage: vec![310.0, 320.0],
-        y: vec![-0.01, 0.0, 0.01],
-        z: vec![0.002, 0.002, 0.004],
-        area: vec![1e-5, 2e-5, 1e-5],
-    };
-    Axes { sections: Some(sections), ..axes() }
-}
-
-/// Sections that differ in every cell and at every time.
-fn sections(snapshot: usize) -> Vec<f32> {
-    (0..6).map(|i| 10.0 * snapshot as f32 + i as f32).collect()
 }
 
 /// A value that is another in every cell: 0.1 mK steps, which f32 must keep.
@@ -48,9 +34,9 @@ fn create(path: &Path) -> FieldWriter {
 fn half_appended(folder: &Path) -> PathBuf {
     let path = folder.join("rail.zarr");
     let mut writer = create(&path);
-    writer.append(0.0, &rise(&axes(), 0), &[]).unwrap();
+    writer.append(0.0, &rise(&axes(), 0), &SectionRises::default()).unwrap();
     let before = fs::read(path.join("temperature_rise/zarr.json")).unwrap();
-    writer.append(1.0, &rise(&axes(), 1), &[]).unwrap();
+    writer.append(1.0, &rise(&axes(), 1), &SectionRises::default()).unwrap();
     fs::write(path.join("temperature_rise/zarr.json"), before).unwrap();
     path
 }
@@ -75,7 +61,7 @@ fn property_the_copy_of_the_metadata_is_always_right() {
     let mut writer = create(&path);
     assert_consolidated(&path);
     for snapshot in 0..2 {
-        writer.append(snapshot as f64, &rise(&axes(), snapshot), &[]).unwrap();
+        writer.append(snapshot as f64, &rise(&axes(), snapshot), &SectionRises::default()).unwrap();
         assert_consolidated(&path);
     }
     drop(writer);
@@ -93,7 +79,9 @@ fn property_what_is_written_is_read_to_the_last_bit() {
     let path = folder.path().join("rail.zarr");
     let mut writer = create(&path);
     for snapshot in 0..3 {
-        writer.append(10.0 * snapshot as f64, &rise(&axes(), snapshot), &[]).unwrap();
+        writer
+            .append(10.0 * snapshot as f64, &rise(&axes(), snapshot), &SectionRises::default())
+            .unwrap();
     }
     let reader = FieldReader::open(&path).unwrap();
     assert_eq!(reader.axes(), &axes());
@@ -117,38 +105,6 @@ fn a_field_that_was_cut_within_an_append_is_completed() {
     assert_eq!(FieldReader::open(&path).unwrap().times(), [0.0]);
 }
 
-/// Sections go on, are cut and completed as the field is.
-#[test]
-fn property_sections_are_as_long_as_the_field() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("rail.zarr");
-    let mut writer = FieldWriter::create(&path, &axes_with_sections(), &[]).unwrap();
-    for snapshot in 0..3 {
-        let (time, rise) = (snapshot as f64, rise(&axes(), snapshot));
-        writer.append(time, &rise, &sections(snapshot)).unwrap();
-    }
-    let size = writer.append(3.0, &rise(&axes(), 3), &[]).unwrap_err();
-    assert!(matches!(size, FieldError::Size { found: 0, wanted: 6, .. }));
-    let reader = FieldReader::open(&path).unwrap();
-    assert_eq!(reader.axes(), &axes_with_sections());
-    assert_eq!(reader.sections_at_time(1.2).unwrap(), sections(1));
-    assert!(path.join("section_rise/c/2/0/0").exists());
-    let before = fs::read(path.join("temperature_rise/zarr.json")).unwrap();
-    writer.append(3.0, &rise(&axes(), 3), &sections(3)).unwrap();
-    fs::write(path.join("temperature_rise/zarr.json"), before).unwrap();
-    let length = || metadata(&path.join("section_rise"))["shape"][0].as_u64().unwrap();
-    assert_eq!(length(), 4);
-    field::complete(&path).unwrap();
-    assert_eq!(length(), 3);
-    let mut writer = FieldWriter::resume(&path, 2).unwrap();
-    assert_eq!(length(), 2);
-    assert!(!path.join("section_rise/c/2/0/0").exists(), "what is cut is removed");
-    writer.append(7.0, &rise(&axes(), 7), &sections(7)).unwrap();
-    let reader = FieldReader::open(&path).unwrap();
-    assert_eq!((reader.times(), length()), (&[0.0, 1.0, 7.0][..], 3));
-    assert_eq!(reader.sections_at_time(7.0).unwrap(), sections(7));
-}
-
 /// A process that is killed runs no destructor: the writer is forgotten, not dropped.
 #[test]
 fn property_a_killed_run_leaves_all_appended_snapshots() {
@@ -156,7 +112,7 @@ fn property_a_killed_run_leaves_all_appended_snapshots() {
     let path = folder.path().join("rail.zarr");
     let mut writer = create(&path);
     for snapshot in 0..2 {
-        writer.append(snapshot as f64, &rise(&axes(), snapshot), &[]).unwrap();
+        writer.append(snapshot as f64, &rise(&axes(), snapshot), &SectionRises::default()).unwrap();
         let reader = FieldReader::open(&path).unwrap();
         assert_eq!(reader.times().len(), snapshot + 1, "readable while it is written");
     }
@@ -182,7 +138,9 @@ fn property_a_field_goes_on_as_if_it_had_never_stopped() {
     let [once, twice] = ["once.zarr", "twice.zarr"].map(|name| folder.path().join(name));
     let append = |writer: &mut FieldWriter, from: usize, to: usize| {
         for snapshot in from..to {
-            writer.append(snapshot as f64, &rise(&axes(), snapshot), &[]).unwrap();
+            writer
+                .append(snapshot as f64, &rise(&axes(), snapshot), &SectionRises::default())
+                .unwrap();
         }
     };
     append(&mut create(&once), 0, 4);
@@ -222,9 +180,9 @@ fn property_a_store_that_is_gone_stays_gone() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("rail.zarr");
     let mut writer = create(&path);
-    writer.append(0.0, &rise(&axes(), 0), &[]).unwrap();
+    writer.append(0.0, &rise(&axes(), 0), &SectionRises::default()).unwrap();
     fs::remove_dir_all(&path).unwrap();
-    let refused = writer.append(1.0, &rise(&axes(), 1), &[]).unwrap_err();
+    let refused = writer.append(1.0, &rise(&axes(), 1), &SectionRises::default()).unwrap_err();
     assert!(matches!(refused, FieldError::Gone { .. }), "{refused}");
     assert!(refused.to_string().contains("rail.zarr: is no longer there"), "{refused}");
     assert!(!path.exists());
@@ -234,7 +192,7 @@ fn property_a_store_that_is_gone_stays_gone() {
 fn property_the_store_describes_itself() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("rail.zarr");
-    create(&path).append(0.0, &rise(&axes(), 0), &[]).unwrap();
+    create(&path).append(0.0, &rise(&axes(), 0), &SectionRises::default()).unwrap();
     let group = metadata(&path);
     assert_eq!(group["zarr_format"], 3);
     assert_eq!(group["attributes"]["initial_temperature_K"], 293.15);
@@ -250,7 +208,7 @@ fn property_the_store_describes_itself() {
 fn property_an_older_field_is_replaced_and_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("rail.zarr");
-    create(&path).append(5.0, &rise(&axes(), 0), &[]).unwrap();
+    create(&path).append(5.0, &rise(&axes(), 0), &SectionRises::default()).unwrap();
     create(&path);
     assert!(FieldReader::open(&path).unwrap().times().is_empty());
 
@@ -268,10 +226,10 @@ fn wrong_snapshots_are_refused_and_the_earlier_ones_stay() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("rail.zarr");
     let mut writer = create(&path);
-    writer.append(2.0, &rise(&axes(), 0), &[]).unwrap();
-    let size = writer.append(3.0, &[0.0; 7], &[]).unwrap_err();
+    writer.append(2.0, &rise(&axes(), 0), &SectionRises::default()).unwrap();
+    let size = writer.append(3.0, &[0.0; 7], &SectionRises::default()).unwrap_err();
     assert!(matches!(size, FieldError::Size { found: 7, wanted: 12500, .. }));
-    let late = writer.append(2.0, &rise(&axes(), 1), &[]).unwrap_err();
+    let late = writer.append(2.0, &rise(&axes(), 1), &SectionRises::default()).unwrap_err();
     assert!(matches!(late, FieldError::NotLater { .. }));
     assert_eq!(FieldReader::open(&path).unwrap().times(), [2.0]);
 }
@@ -297,7 +255,7 @@ fn missing_stores_and_unwritable_places_are_named() {
 fn a_field_whose_arrays_have_another_shape_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("rail.zarr");
-    create(&path).append(0.0, &rise(&axes(), 0), &[]).unwrap();
+    create(&path).append(0.0, &rise(&axes(), 0), &SectionRises::default()).unwrap();
     let chainage = path.join("chainage");
     let mut long = metadata(&chainage);
     long["shape"] = serde_json::json!([100_000_000_000_000_u64]);
