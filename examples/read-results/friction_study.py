@@ -14,7 +14,7 @@ LAWS = {
     "0.36, 0.54: these runs": {},
     "0.47, 0.54": {"friction": 0.47},
     "0.47, 1: clean rails": {"friction": 0.47, "initial_slope": 1.0},
-    "0.47, 1 that does not flatten (FASTSIM)": {"friction": 0.47, "initial_slope": 1.0, "remaining_slope": 1.0},
+    "0.47, 1 that does not flatten (Kalker)": {"friction": 0.47, "initial_slope": 1.0, "remaining_slope": 1.0},
 }
 # That of the first look, but for radius and cant.
 TRACK = """
