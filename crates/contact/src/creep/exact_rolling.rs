@@ -16,7 +16,7 @@
 use super::flexibility::Reduction;
 use super::friction::Friction;
 use super::rolling_table::{RollingTable, ScaledMotion};
-use super::{CreepDamping, CreepForces, Creepages, SlipVelocity, TangentialForce, reference_speed};
+use super::{CreepDamping, CreepForces, SlipVelocity, TangentialForce, reference_speed};
 use crate::geometry::contact_point::ContactPatch;
 use crate::material::STEEL;
 
@@ -51,11 +51,8 @@ impl ExactRolling {
         let per_speed = 1.0 / reference_speed(speed);
         // Material enters the contact at the end towards which the wheel rolls.
         let direction = 1.0_f64.copysign(speed);
-        let creepages = Creepages {
-            longitudinal: along * per_speed,
-            lateral: across * per_speed,
-            spin: direction * slip.spin * per_speed,
-        };
+        let mut creepages = slip.creepages(speed);
+        creepages.spin *= direction;
         let factor = self.reduction.factor(patch, &creepages, limit);
         let kalker = patch.kalker.c11 + patch.kalker.c22;
         let per_creepage = factor * STEEL.shear_modulus * a * b * kalker / (6.0 * limit);
@@ -79,15 +76,14 @@ impl ExactRolling {
         let power = slide + spun;
         let spin_moment =
             if slip.spin == 0.0 { -direction * limit * reach * moment } else { -spun / slip.spin };
-        let square = damping * along * damping * along + force * force;
-        let cut = if square > limit * limit { limit / square.sqrt() } else { 1.0 };
-        CreepForces {
-            force: TangentialForce { longitudinal: cut * damping * along, lateral: cut * force },
-            spin_moment: cut * spin_moment,
-            friction_power: cut * power,
-            damping: CreepDamping { longitudinal: cut * damping, lateral: cut * lateral_damping },
-            spin_force: cut * spin_force,
+        let found = CreepForces {
+            force: TangentialForce { longitudinal: damping * along, lateral: force },
+            spin_moment,
+            friction_power: power,
+            damping: CreepDamping { longitudinal: damping, lateral: lateral_damping },
+            spin_force,
             flash_factor: sliding.flash * ratios.flash,
-        }
+        };
+        found.within(limit, along)
     }
 }

@@ -110,6 +110,26 @@ pub struct CreepForces {
     pub flash_factor: f64,
 }
 
+impl CreepForces {
+    /// Cut to the `limit` (N) of friction, which discretisation or interpolation may exceed by a trifle;
+    /// `along` is the longitudinal slip, m/s.
+    #[inline]
+    pub(crate) fn within(self, limit: f64, along: f64) -> Self {
+        let CreepDamping { longitudinal: damping, lateral: lateral_damping } = self.damping;
+        let force = self.force.lateral;
+        let square = damping * along * damping * along + force * force;
+        let cut = if square > limit * limit { limit / square.sqrt() } else { 1.0 };
+        Self {
+            force: TangentialForce { longitudinal: cut * damping * along, lateral: cut * force },
+            spin_moment: cut * self.spin_moment,
+            friction_power: cut * self.friction_power,
+            damping: CreepDamping { longitudinal: cut * damping, lateral: cut * lateral_damping },
+            spin_force: cut * self.spin_force,
+            flash_factor: self.flash_factor,
+        }
+    }
+}
+
 /// The magnitude of `speed`, at least [`REFERENCE_SPEED_MIN`].
 pub(crate) fn reference_speed(speed: f64) -> f64 {
     speed.abs().max(REFERENCE_SPEED_MIN)

@@ -13,7 +13,7 @@
 use super::fastsim::{Division, ScaledCreepages, march};
 use super::flexibility::{Reduction, Stiffness};
 use super::friction::Friction;
-use super::{CreepDamping, CreepForces, Creepages, SlipVelocity, TangentialForce, reference_speed};
+use super::{CreepDamping, CreepForces, SlipVelocity, TangentialForce, reference_speed};
 use crate::geometry::contact_point::ContactPatch;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -72,11 +72,8 @@ impl ModifiedFastsim {
         let per_speed = 1.0 / reference_speed(speed);
         // Material enters the contact at the end towards which the wheel rolls.
         let direction = 1.0_f64.copysign(speed);
-        let creepages = Creepages {
-            longitudinal: along * per_speed,
-            lateral: across * per_speed,
-            spin: direction * slip.spin * per_speed,
-        };
+        let mut creepages = slip.creepages(speed);
+        creepages.spin *= direction;
         let stiffness = Stiffness::new(&self.reduction, patch, &creepages, limit);
         // a/(mu p0), with the pressure p0 = 2 N/(pi a b).
         let per_traction = FRAC_PI_2 * a * a * b / limit;
@@ -98,17 +95,15 @@ impl ModifiedFastsim {
             / (stiffness.longitudinal * stiffness.lateral);
         let force = spin_force - lateral_damping * across;
         let power = damping * along * along - force * across - spin_moment * slip.spin;
-        // Discretisation may exceed friction by a trifle.
-        let square = damping * along * damping * along + force * force;
-        let cut = if square > limit * limit { limit / square.sqrt() } else { 1.0 };
-        CreepForces {
-            force: TangentialForce { longitudinal: cut * damping * along, lateral: cut * force },
-            spin_moment: cut * spin_moment,
-            friction_power: cut * power,
-            damping: CreepDamping { longitudinal: cut * damping, lateral: cut * lateral_damping },
-            spin_force: cut * spin_force,
+        let found = CreepForces {
+            force: TangentialForce { longitudinal: damping * along, lateral: force },
+            spin_moment,
+            friction_power: power,
+            damping: CreepDamping { longitudinal: damping, lateral: lateral_damping },
+            spin_force,
             flash_factor: sliding.flash,
-        }
+        };
+        found.within(limit, along)
     }
 }
 

@@ -8,11 +8,8 @@
 //! tests take two steps: `on_grid` is CONTACT's algorithm on CONTACT's grid and gives the printed numbers;
 //! refined, it gives ours.
 
-use crate::{PAGE, eurosprinter, near};
-use contact::kalker::CreepCoefficients;
-use contact::{
-    ContactPatch, CreepLaw, FallingFriction, ModifiedFastsim, Reduction, STEEL, SlipVelocity,
-};
+use crate::{PAGE, creep_with_spin, eurosprinter, near};
+use contact::{CreepLaw, FallingFriction, ModifiedFastsim, Reduction, STEEL, SlipVelocity};
 use std::f64::consts::PI;
 use validation::Row;
 
@@ -216,37 +213,29 @@ fn analytic_fastsim_power_is_force_times_slip() {
 /// which is what the simplified theory is worth with spin.
 #[test]
 fn benchmark_fastsim_lateral_creep_with_spin() {
-    let patch = ContactPatch {
-        normal_force: 82_000.0,
-        a: 8e-3,
-        b: 4e-3,
-        kalker: CreepCoefficients::new(2.0, STEEL.poisson_ratio),
-    };
-    let slip = SlipVelocity { longitudinal: 0.0, lateral: -0.00625, spin: 6.25 };
+    let (patch, slip) = creep_with_spin(SPEED);
     let friction = FallingFriction::constant(0.3);
-    let laws = [("on line", ModifiedFastsim::on_line(Reduction::NONE, friction, 20, 100))];
-    for (name, law) in laws {
-        let force = law.force(&patch, &slip, SPEED);
-        let value = force.force.lateral / (0.3 * patch.normal_force);
-        Row {
-            case: &format!("FASTSIM {name}, lateral creep with spin, force over mu N"),
-            value,
-            expected: -0.6359,
-            unit: "1",
-            source: "CONTACT's FASTSIM, 200 x 200, [contact](../reference/contact.md)",
-            tolerance: (0.015 * 0.6359, "grids of the two"),
-        }
-        .holds(&PAGE);
-        Row {
-            case: &format!("FASTSIM {name}, lateral creep with spin, against the exact theory"),
-            value,
-            expected: -0.6074,
-            unit: "1",
-            source: "CONTACT, [contact](../reference/contact.md)",
-            tolerance: (0.06 * 0.6074, "the simplified theory with spin"),
-        }
-        .holds(&PAGE);
+    let law = ModifiedFastsim::on_line(Reduction::NONE, friction, 20, 100);
+    let force = law.force(&patch, &slip, SPEED);
+    let value = force.force.lateral / (0.3 * patch.normal_force);
+    Row {
+        case: "FASTSIM on line, lateral creep with spin, force over mu N",
+        value,
+        expected: -0.6359,
+        unit: "1",
+        source: "CONTACT's FASTSIM, 200 x 200, [contact](../reference/contact.md)",
+        tolerance: (0.015 * 0.6359, "grids of the two"),
     }
+    .holds(&PAGE);
+    Row {
+        case: "FASTSIM on line, lateral creep with spin, against the exact theory",
+        value,
+        expected: -0.6074,
+        unit: "1",
+        source: "CONTACT, [contact](../reference/contact.md)",
+        tolerance: (0.06 * 0.6074, "the simplified theory with spin"),
+    }
+    .holds(&PAGE);
 }
 
 /// Small creepages give Kalker's linear forces: FASTSIM's flexibilities are made so. Tolerance 1.5 % at

@@ -35,7 +35,7 @@ mod shen_hedrick_elkins;
 mod temperature;
 
 use contact::kalker::CreepCoefficients;
-use contact::{ContactPatch, ProfilePair, RailProfile, STEEL, WheelProfile};
+use contact::{ContactPatch, ProfilePair, RailProfile, STEEL, SlipVelocity, WheelProfile};
 use validation::Page;
 
 /// A wheel on a rail inclined 1:40 with standard gauge and a radius of 460 mm, as in the benchmark.
@@ -56,6 +56,33 @@ pub fn eurosprinter() -> ContactPatch {
         b: 12.61e-3,
         kalker: CreepCoefficients::new(0.5, STEEL.poisson_ratio),
     }
+}
+
+/// Creepages and forces of CONTACT for the Eurosprinter with Coulomb friction 0.33 (series 1 of
+/// docs/reference/contact.md): half-space, 48 by 44 elements.
+pub const EUROSPRINTER_COULOMB: [(f64, f64); 9] = [
+    (1e-5, 247.0),
+    (0.0004, 9112.0),
+    (0.0012, 22820.0),
+    (0.002, 31040.0),
+    (0.0028, 34620.0),
+    (0.0036, 35180.0),
+    (0.006, 35200.0),
+    (0.03, 35210.0),
+    (0.25, 35210.0),
+];
+
+/// Lateral creep with spin in an example of CONTACT (docs/reference/contact.md): 82 kN, a 8 mm, b 4 mm,
+/// eta -0.000625 and phi 0.625/m at a `speed` in m/s.
+pub fn creep_with_spin(speed: f64) -> (ContactPatch, SlipVelocity) {
+    let patch = ContactPatch {
+        normal_force: 82_000.0,
+        a: 8e-3,
+        b: 4e-3,
+        kalker: CreepCoefficients::new(2.0, STEEL.poisson_ratio),
+    };
+    let slip = SlipVelocity { longitudinal: 0.0, lateral: -0.000625 * speed, spin: 0.625 * speed };
+    (patch, slip)
 }
 
 /// The page that has the table of all comparisons with numbers.

@@ -1,6 +1,6 @@
 //! Polach's creep law against published curves.
 
-use crate::{PAGE, eurosprinter, near, pair};
+use crate::{EUROSPRINTER_COULOMB, PAGE, eurosprinter, near, pair};
 use contact::{
     ContactPatch, FallingFriction, Friction, GeometryTable, Polach, STEEL, SlipVelocity,
 };
@@ -108,16 +108,7 @@ fn benchmark_polach_eurosprinter_contact() {
 #[test]
 fn benchmark_polach_eurosprinter_coulomb() {
     let law = polach(1.0, 1.0, 0.33, 1.0, 0.0);
-    for (xi, expected) in [
-        (0.0004, 9112.0),
-        (0.0012, 22820.0),
-        (0.002, 31040.0),
-        (0.0028, 34620.0),
-        (0.0036, 35180.0),
-        (0.006, 35200.0),
-        (0.03, 35210.0),
-        (0.25, 35210.0),
-    ] {
+    for (xi, expected) in EUROSPRINTER_COULOMB.into_iter().skip(1) {
         let force = law.force(&eurosprinter(), &longitudinal(xi), 10.0);
         let error = force.force.longitudinal / expected - 1.0;
         assert!((-0.0625..0.0405).contains(&error), "{error} at {xi}");

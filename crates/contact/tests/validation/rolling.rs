@@ -1,7 +1,7 @@
 //! The creep law by the exact theory against Kalker's tables and CONTACT, and its table against the
 //! solver that made it.
 
-use crate::{PAGE, eurosprinter, near};
+use crate::{EUROSPRINTER_COULOMB, PAGE, creep_with_spin, eurosprinter, near};
 use contact::kalker::CreepCoefficients;
 use contact::rolling::recipe::{self, Ray};
 use contact::{
@@ -14,20 +14,6 @@ const SPEED: f64 = 10.0;
 
 /// Kalker's tables as printed by his program, a sample; the head has the columns.
 const KALKER: &str = include_str!("kalker-tables-sample.csv");
-
-/// Creepages and forces of CONTACT for the Eurosprinter with Coulomb friction 0.33 (series 1 of
-/// docs/reference/contact.md): half-space, 48 by 44 elements.
-const CONTACT: [(f64, f64); 9] = [
-    (1e-5, 247.0),
-    (0.0004, 9112.0),
-    (0.0012, 22820.0),
-    (0.002, 31040.0),
-    (0.0028, 34620.0),
-    (0.0036, 35180.0),
-    (0.006, 35200.0),
-    (0.03, 35210.0),
-    (0.25, 35210.0),
-];
 
 fn law(friction: f64) -> ExactRolling {
     ExactRolling::new(Reduction::NONE, FallingFriction::constant(friction))
@@ -84,7 +70,7 @@ fn benchmark_exact_rolling_by_kalkers_tables() {
 /// interpolation.
 #[test]
 fn benchmark_exact_rolling_eurosprinter() {
-    for (creepage, force) in CONTACT {
+    for (creepage, force) in EUROSPRINTER_COULOMB {
         let slip = SlipVelocity { longitudinal: SPEED * creepage, ..SlipVelocity::default() };
         let found = law(0.33).force(&eurosprinter(), &slip, SPEED).force.longitudinal;
         near(&format!("force in N at {creepage}"), found, force, 0.015 * 35_210.0);
@@ -94,13 +80,7 @@ fn benchmark_exact_rolling_eurosprinter() {
 /// CONTACT's exact lateral force with spin (docs/reference/contact.md), where FASTSIM is 6 % off.
 #[test]
 fn benchmark_exact_rolling_lateral_creep_with_spin() {
-    let patch = ContactPatch {
-        normal_force: 82_000.0,
-        a: 8e-3,
-        b: 4e-3,
-        kalker: CreepCoefficients::new(2.0, STEEL.poisson_ratio),
-    };
-    let slip = SlipVelocity { longitudinal: 0.0, lateral: -0.00625, spin: 6.25 };
+    let (patch, slip) = creep_with_spin(SPEED);
     Row {
         case: "exact rolling by table, lateral creep with spin, force over mu N",
         value: law(0.3).force(&patch, &slip, SPEED).force.lateral / (0.3 * patch.normal_force),

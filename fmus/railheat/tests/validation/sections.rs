@@ -45,6 +45,17 @@ fn heat(model: &EnergyModel) -> f64 {
     of_cells.map(|(cell, rise)| capacity * cell.area * rise).sum()
 }
 
+/// The rise on the middle line of a section in a row of its cells.
+fn on_middle_line(cells: &[Cell], rises: &[f64], row: usize) -> f64 {
+    let in_row = || cells.iter().zip(rises).filter(move |(cell, _)| cell.row == row);
+    let nearest = in_row().map(|(cell, _)| cell.middle.y.abs()).fold(f64::INFINITY, f64::min);
+    let middle: Vec<f64> = in_row()
+        .filter(|(cell, _)| cell.middle.y.abs() < nearest + 1e-9)
+        .map(|(_, rise)| *rise)
+        .collect();
+    middle.iter().sum::<f64>() / middle.len() as f64
+}
+
 /// The largest difference between the section's middle line and what is read of the element, over the
 /// element's largest reading.
 fn off_middle_line(model: &EnergyModel) -> f64 {
@@ -53,15 +64,7 @@ fn off_middle_line(model: &EnergyModel) -> f64 {
     model.snapshot(&mut read);
     let read = &read[PLACE * rows..][..rows];
     let (cells, rises) = (cells(model), model.section_rises());
-    let of_row = |row: usize| {
-        let in_row = || cells.iter().zip(&rises).filter(move |(cell, _)| cell.row == row);
-        let nearest = in_row().map(|(cell, _)| cell.middle.y.abs()).fold(f64::INFINITY, f64::min);
-        let middle: Vec<f64> = in_row()
-            .filter(|(cell, _)| cell.middle.y.abs() < nearest + 1e-9)
-            .map(|(_, rise)| *rise)
-            .collect();
-        middle.iter().sum::<f64>() / middle.len() as f64
-    };
+    let of_row = |row: usize| on_middle_line(&cells, &rises, row);
     let off = read.iter().enumerate().map(|(row, rise)| (f64::from(*rise) - of_row(row)).abs());
     let largest = read.iter().fold(0.0_f32, |largest, rise| largest.max(rise.abs()));
     off.fold(0.0, f64::max) / f64::from(largest)
@@ -219,15 +222,7 @@ fn property_a_section_that_is_kept_changes_no_element() {
 /// What is read of the foot in the rises of a section: 9/8 of the lowest row's middle less 1/8 of the next one's.
 fn foot_of(cells: &[Cell], rises: &[f64]) -> f64 {
     let last = cells.iter().map(|cell| cell.row).max().unwrap();
-    let middle = |row: usize| {
-        let in_row = || cells.iter().zip(rises).filter(move |(cell, _)| cell.row == row);
-        let nearest = in_row().map(|(cell, _)| cell.middle.y.abs()).fold(f64::INFINITY, f64::min);
-        let middle: Vec<f64> = in_row()
-            .filter(|(cell, _)| cell.middle.y.abs() < nearest + 1e-9)
-            .map(|(_, rise)| *rise)
-            .collect();
-        middle.iter().sum::<f64>() / middle.len() as f64
-    };
+    let middle = |row: usize| on_middle_line(cells, rises, row);
     9.0 / 8.0 * middle(last) - middle(last - 1) / 8.0
 }
 

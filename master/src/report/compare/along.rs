@@ -1,6 +1,6 @@
 //! The rises of surface and foot along the rails, which the page of a comparison draws on each other.
 
-use field::{FieldError, FieldReader, is_rail_field};
+use field::{Axes, FieldError, FieldReader, is_rail_field};
 use serde::Serialize;
 
 use super::curves::at;
@@ -12,6 +12,12 @@ use crate::report::instrument::Packed;
 
 /// Points of a curve, at most; those of the largest rises and differences come on top.
 const MOST_POINTS: usize = 1200;
+
+/// The row of cells of a level among so many depths.
+type RowOf = fn(usize) -> usize;
+
+/// The levels.
+const LEVELS: [(&str, RowOf); 2] = [("foot", |depths| depths - 1), ("surface", |_| 0)];
 
 /// The rises along a rail at one level and time.
 #[derive(Debug, Serialize)]
@@ -79,27 +85,28 @@ fn of_field(
     others: &[Option<FieldReader>],
 ) -> Result<Vec<AlongRail>, FieldError> {
     let axes = first.axes();
-    let last = axes.depth.len() - 1;
+    let own = first.at_time(time)?.rise;
+    let mut of_others = vec![];
+    for other in others {
+        of_others.push(match other {
+            Some(other) => Some((other.axes(), other.at_time(time)?.rise)),
+            None => None,
+        });
+    }
     let mut levels = vec![];
-    for (level, row) in [("foot", last), ("surface", 0)] {
-        let own = rises(first, time, level)?;
-        let mut of_others = vec![];
-        for other in others {
-            of_others.push(match other {
-                Some(other) => {
-                    let found = rises(other, time, level)?;
-                    Some(at(&axes.chainage, &other.axes().chainage, &found))
-                }
-                None => None,
-            });
-        }
+    for (level, row_of) in LEVELS {
+        let own = row(axes, &own, row_of);
+        let at_own = |(other, rise): &(&Axes, Vec<f32>)| {
+            at(&axes.chainage, &other.chainage, &row(other, rise, row_of))
+        };
+        let of_others: Vec<_> = of_others.iter().map(|other| other.as_ref().map(at_own)).collect();
         let chosen = chosen(&own, &of_others);
         let picked = |values: &[f64]| Packed::of(chosen.iter().map(|index| values[*index]));
         let values = of_others.iter().map(|values| values.as_deref().map(picked));
         levels.push(AlongRail {
             field: name.to_owned(),
             level,
-            depth: axes.depth[row],
+            depth: axes.depth[row_of(axes.depth.len())],
             time,
             chainage: picked(&axes.chainage),
             values: std::iter::once(Some(picked(&own))).chain(values).collect(),
@@ -108,12 +115,10 @@ fn of_field(
     Ok(levels)
 }
 
-/// The rises of a level, in its own field's first or last row, at the snapshot of a time.
-fn rises(reader: &FieldReader, time: f64, level: &str) -> Result<Vec<f64>, FieldError> {
-    let depths = reader.axes().depth.len();
-    let row = if level == "foot" { depths - 1 } else { 0 };
-    let rise = reader.at_time(time)?.rise;
-    Ok(rise.iter().skip(row).step_by(depths).map(|&rise| rise.into()).collect())
+/// The rises of a snapshot in the row of a level.
+fn row(axes: &Axes, rise: &[f32], row_of: RowOf) -> Vec<f64> {
+    let depths = axes.depth.len();
+    rise.iter().skip(row_of(depths)).step_by(depths).map(|&rise| rise.into()).collect()
 }
 
 /// Elements that are shown: evenly many, the last one, and those of the largest rises and differences.
